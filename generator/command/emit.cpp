@@ -8,6 +8,7 @@
 #include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "campaign/partial_file.hpp"
@@ -119,11 +120,16 @@ bool run_emit(const EmitOptions& options) {
     throw InputError(
         "--interface: only solvers of scenes have a C interface; give it with --scene");
   }
+  const std::set<std::string> with(options.with.begin(), options.with.end());
+  if (!with.empty() && !options.all && options.model == 0) {
+    throw InputError(
+        "--with: only models have functions on request; give it with --model or --all");
+  }
   std::vector<EmittedFile> files;
   if (options.all) {
     ProgressBar bar;
     files = emission::model::emit_all(
-        [&bar](std::uint64_t done, std::uint64_t count) { bar.show(done, count); });
+        with, [&bar](std::uint64_t done, std::uint64_t count) { bar.show(done, count); });
   } else if (!options.scene.empty()) {
     files = emitted_scene(options);
   } else if (!options.closures.empty()) {
@@ -137,7 +143,7 @@ bool run_emit(const EmitOptions& options) {
         structure::models_of(structure::group_named(options.group));
     for (const structure::Model& model : models) {
       if (model.number == options.model) {
-        files.push_back(emission::model::emit_model(model, {!options.with.empty()}));
+        files.push_back(emission::model::emit_model(model, with));
       }
     }
     if (files.empty()) {

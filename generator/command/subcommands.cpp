@@ -16,6 +16,7 @@
 #include "command/derive.hpp"
 #include "command/output.hpp"
 #include "document/render.hpp"
+#include "emission/model/emit.hpp"
 #include "emission/scene/solver_scene.hpp"
 
 namespace assur::generator::command {
@@ -57,6 +58,14 @@ std::vector<std::string> group_names() {
     names.push_back(group.name());
   }
   return names;
+}
+
+std::vector<std::string> words_on_request() {
+  std::vector<std::string> words;
+  for (const auto& [word, functions] : emission::model::functions_on_request()) {
+    words.push_back(word);
+  }
+  return words;
 }
 
 void add_scene(CLI::App& command, std::string& scene) {
@@ -142,11 +151,13 @@ void declare_emit(CLI::App& command, EmitOptions& options) {
           "sensitivity,\nforces), in place of the scene's")
       ->delimiter(',');
   command
-      .add_option("--with", options.with,
-                  "with --model: more functions of a rigid model\n(forces: those in its joints "
-                  "under given loads)")
-      ->needs(model)
-      ->check(one_of({"forces"}));
+      .add_option(
+          "--with", options.with,
+          "with --model or --all: functions that headers hold\non request (jerk; rates: velocity "
+          "and right-hand\nsides; special-points; forces: those in the joints\nof rigid models "
+          "under given loads)")
+      ->delimiter(',')
+      ->check(one_of(words_on_request()));
   command
       .add_option("--interface", options.interface,
                   "with --scene: c writes a C header and its\nimplementation beside the C++ "

@@ -215,14 +215,40 @@ OperationCount Program::count() const {
   return total;
 }
 
+std::vector<NodeIndex> Program::named_in(const ScaledNode& value, const std::string& name) const {
+  std::vector<NodeIndex> nodes;
+  const std::function<void(NodeIndex, bool)> visit = [&](NodeIndex node, bool is_value) {
+    if (!name_of(node).empty() && !(is_value && name_of(node) == name)) {
+      nodes.push_back(node);
+      return;
+    }
+    const ExpressionGraph::Node& content = graph_.nodes()[node];
+    for (const NodeIndex factor : content.factors) {
+      visit(factor, false);
+    }
+    for (const ScaledNode& term : content.terms) {
+      visit(term.node, false);
+    }
+  };
+  visit(value.node, true);
+  return nodes;
+}
+
 std::vector<std::string> Program::reads() const {
   std::set<SymbolRank> ranks;
-  for (const NodeIndex node : done_.keys()) {
-    const ExpressionGraph::Node& content = graph_.nodes()[node];
-    if (done_[node] && content.operation == Operation::symbol &&
-        !definitions_.contains(name_of(node))) {
-      ranks.insert(content.symbol);
+  const auto add = [&](const ScaledNode& value, const std::string& name) {
+    for (const NodeIndex node : named_in(value, name)) {
+      const ExpressionGraph::Node& content = graph_.nodes()[node];
+      if (content.operation == Operation::symbol && !definitions_.contains(name_of(node))) {
+        ranks.insert(content.symbol);
+      }
     }
+  };
+  for (const Step& step : steps_) {
+    add(step.value, step.name);
+  }
+  for (const Assignment& assignment : assignments_) {
+    add(assignment.value, "");
   }
   std::vector<std::string> names;
   names.reserve(ranks.size());
@@ -231,5 +257,51 @@ std::vector<std::string> Program::reads() const {
   }
   return names;
 }
+
+Program Program::part(const std::set<std::string>& targets) const {
+  Program result = *this;
+  std::erase_if(result.assignments_,
+                [&](const Assignment& assignment) { return !targets.contains(assignment.target); });
+  std::set<std::string> needed;
+  const auto need = [&](const ScaledNode& value, const std::string& name) {
+    for (const NodeIndex node : named_in(value, name)) {
+      needed.insert(name_of(node));
+    }
+  };
+  for (const Assignment& assignment : result.assignments_) {
+    need(assignment.value, "");
+  }
+  // A step reads only earlier ones.
+  std::vector<Step> steps;
+  for (auto step = steps_.rbegin(); step != steps_.rend(); ++step) {
+    if (needed.contains(step->name)) {
+      need(step->value, step->name);
+      steps.push_back(*step);
+    }
+  }
+  result.steps_.assign(steps.rbegin(), steps.rend());
+  return result;
+}
+
+Program Program::filtered(const Program& other, bool in_both) const {
+  std::set<std::string> names;
+  for (const Step& step : other.steps_) {
+    names.insert(step.name);
+  }
+  std::set<std::string> targets;
+  for (const Assignment& assignment : other.assignments_) {
+    targets.insert(assignment.target);
+  }
+  Program result = *this;
+  std::erase_if(result.steps_,
+                [&](const Step& step) { return names.contains(step.name) != in_both; });
+  std::erase_if(result.assignments_, [&](const Assignment& assignment) {
+    return targets.contains(assignment.target) != in_both;
+  });
+  return result;
+}
+
+Program Program::common(const Program& other) const { return filtered(other, true); }
+Program Program::without(const Program& other) const { return filtered(other, false); }
 
 }  // namespace assur::generator::program

@@ -2,6 +2,7 @@
 // order.
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,13 @@ class Program {
           const std::vector<Result>& results,
           const std::vector<equations::NamedQuantity>& known = {});
 
+  /// The part that assigns to these targets, with the steps that this needs.
+  [[nodiscard]] Program part(const std::set<std::string>& targets) const;
+  /// Of two parts of one program: what both compute.
+  [[nodiscard]] Program common(const Program& other) const;
+  /// Of two parts of one program: what this one computes and the other does not.
+  [[nodiscard]] Program without(const Program& other) const;
+
   [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
   [[nodiscard]] const std::vector<Assignment>& assignments() const { return assignments_; }
   [[nodiscard]] const ExpressionGraph& graph() const { return graph_; }
@@ -51,6 +59,7 @@ class Program {
   [[nodiscard]] std::vector<NodeIndex> computed() const;
   [[nodiscard]] OperationCount count() const;
   /// Names of the symbols that the program reads, i.e. that no step computes, in order of rank.
+  /// What another part of the program computes is not among them.
   [[nodiscard]] std::vector<std::string> reads() const;
 
  private:
@@ -61,6 +70,11 @@ class Program {
   bool put_names(const std::vector<equations::NamedQuantity>& named,
                  std::vector<ScaledNode>& roots);
   [[nodiscard]] bool is_computed(NodeIndex node) const;
+  /// The nodes with names that the value of a step or of an assignment reads.
+  [[nodiscard]] std::vector<NodeIndex> named_in(const ScaledNode& value,
+                                                const std::string& name) const;
+  /// The steps and assignments whose names and targets are in both or in one of two programs.
+  [[nodiscard]] Program filtered(const Program& other, bool in_both) const;
   void schedule(NodeIndex node);
 
   ExpressionGraph graph_;

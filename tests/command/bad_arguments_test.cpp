@@ -119,7 +119,10 @@ TEST(BadArguments, SuggestWhatWasMeant) {
       {"emit --all --interface c --output .",
        "--interface: only solvers of scenes have a C interface; give it"},
       {"emit --model 1 --with force --output .",
-       "--with: 'force' is not one of forces (did you mean 'forces'?)"},
+       "--with: 'force' is not one of forces, jerk, rates, special-points (did you mean "
+       "'forces'?)"},
+      {"emit --scene " + scene + " --with jerk --output .",
+       "--with: only models have functions on request; give it with --model or --all"},
       {"emit --model 24 --with forces --output .",
        "--with forces: tetrad model 24 (PPP-PPP) is degenerate, so that the equilibrium of its "
        "links"},

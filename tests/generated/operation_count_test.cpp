@@ -74,6 +74,7 @@ TYPED_TEST(Operations, AreAsManyAsTheHeaderStates) {
     check("sensitivities_and_motion", &Model::template sensitivities_and_motion<Counting>);
     check("position_polynomial", &Model::template position_polynomial<Counting>);
     check("complete", &Model::template complete<Counting>);
+    check("forces", &Model::template forces<Counting>);
     if constexpr (Model::second_unknown >= 0) {
       check("second_equations", &Model::template second_equations<Counting>);
     }

@@ -23,18 +23,11 @@ namespace assur::dyad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: every link has an external joint.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     4, 6, 0
 ///   jacobian:                     4, 0, 0
 ///   dimension_jacobian:           0, 0, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 2, 0
-///   acceleration_rhs:             10, 6, 0
-///   jerk_rhs:                     22, 10, 0
 ///   curvature_rhs:                20, 6, 0
 ///   link_poses:                   2, 2, 0
 ///   pose_jacobians:               2, 0, 0
@@ -43,9 +36,8 @@ namespace assur::dyad {
 ///   pose_curvatures:              10, 2, 0
 ///   degeneracies:                 3, 2, 0
 ///   inverse_jacobian:             17, 4, 1
-///   sensitivities:                20, 5, 1
-///   velocity:                     16, 7, 1
 ///   motion:                       28, 15, 1
+///   sensitivities:                20, 5, 1
 ///   sensitivities_and_motion:     36, 17, 1
 ///   position_polynomial:          8, 5, 0
 ///   complete:                     4, 4, 1
@@ -62,7 +54,7 @@ struct Model01 {
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 0;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 1;  ///< index of the final polynomial's unknown
@@ -154,6 +146,39 @@ struct Model01 {
       {"RRR", { 0, 1, 2 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CD_minus_BC = q.theta_BC.cos * q.theta_CD.cos
+        + q.theta_BC.sin * q.theta_CD.sin;
+    const Scalar sin_CD_minus_BC = q.theta_BC.cos * q.theta_CD.sin
+        - q.theta_CD.cos * q.theta_BC.sin;
+    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC, CD_across_BC = -d.CD * sin_CD_minus_BC;
+    const Scalar pivot_product = d.BC * CD_across_BC;
+    // A zero divisor means CD_across_BC = 0, or BC = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_CD_across_BC = -d.BC * inverse, inverse_BC = -CD_across_BC * inverse;
+    const Scalar BC_per_along_BC = -CD_along_BC * inverse_CD_across_BC * inverse_BC;
+    const Scalar BC_per_x_B = BC_per_along_BC * q.theta_BC.cos - inverse_BC * q.theta_BC.sin;
+    const Scalar CD_per_x_B = inverse_CD_across_BC * q.theta_BC.cos;
+    const Scalar BC_per_y_B = inverse_BC * q.theta_BC.cos + BC_per_along_BC * q.theta_BC.sin;
+    const Scalar CD_per_y_B = inverse_CD_across_BC * q.theta_BC.sin;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = BC_per_along_BC;
+      S_d(0, 1) = BC_per_along_BC * cos_CD_minus_BC + inverse_BC * sin_CD_minus_BC;
+      S_d(1, 0) = inverse_CD_across_BC;  S_d(1, 1) = inverse_CD_across_BC * cos_CD_minus_BC;
+      S_u(0, 0) = BC_per_x_B;  S_u(0, 1) = BC_per_y_B;  S_u(0, 2) = -BC_per_x_B;
+      S_u(0, 3) = -BC_per_y_B;
+      S_u(1, 0) = CD_per_x_B;  S_u(1, 1) = CD_per_y_B;  S_u(1, 2) = -CD_per_x_B;
+      S_u(1, 3) = -CD_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -188,51 +213,6 @@ struct Model01 {
     F_u.setZero();
     F_u(0, 0) = -Scalar(1);  F_u(0, 2) = Scalar(1);
     F_u(1, 1) = -Scalar(1);  F_u(1, 3) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
-    rhs(0) = v_x_B - v_x_D;  rhs(1) = v_y_B - v_y_D;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BC = q_rate(0), omega_CD = q_rate(1), a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1), a_x_D = u_second_rate(2), a_y_D = u_second_rate(3);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
-    const Scalar t01 = omega_BC * omega_BC, t02 = omega_CD * omega_CD;
-    rhs(0) = a_x_B + DC_x * t02 - a_x_D - BC_x * t01;
-    rhs(1) = a_y_B + DC_y * t02 - a_y_D - BC_y * t01;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BC = q_rate(0), alpha_BC = q_second_rate(0), omega_CD = q_rate(1);
-    const Scalar alpha_CD = q_second_rate(1), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
-    const Scalar j_x_D = u_third_rate(2), j_y_D = u_third_rate(3);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
-    const Scalar t01 = omega_BC * omega_BC, t02 = omega_CD * omega_CD;
-    rhs(0) = j_x_B + omega_CD * (Scalar(3) * DC_x * alpha_CD - DC_y * t02) - j_x_D
-        - omega_BC * (Scalar(3) * BC_x * alpha_BC - BC_y * t01);
-    rhs(1) = j_y_B + omega_CD * (Scalar(3) * DC_y * alpha_CD + DC_x * t02) - j_y_D
-        - omega_BC * (Scalar(3) * BC_y * alpha_BC + BC_x * t01);
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -362,57 +342,6 @@ struct Model01 {
     J_inverse(1, 1) = inverse_CD_across_BC * q.theta_BC.sin;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CD_minus_BC = q.theta_BC.cos * q.theta_CD.cos
-        + q.theta_BC.sin * q.theta_CD.sin;
-    const Scalar sin_CD_minus_BC = q.theta_BC.cos * q.theta_CD.sin
-        - q.theta_CD.cos * q.theta_BC.sin;
-    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC, CD_across_BC = -d.CD * sin_CD_minus_BC;
-    const Scalar pivot_product = d.BC * CD_across_BC;
-    // A zero divisor means CD_across_BC = 0, or BC = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_CD_across_BC = -d.BC * inverse, inverse_BC = -CD_across_BC * inverse;
-    const Scalar BC_per_along_BC = -CD_along_BC * inverse_CD_across_BC * inverse_BC;
-    const Scalar BC_per_x_B = BC_per_along_BC * q.theta_BC.cos - inverse_BC * q.theta_BC.sin;
-    const Scalar CD_per_x_B = inverse_CD_across_BC * q.theta_BC.cos;
-    const Scalar BC_per_y_B = inverse_BC * q.theta_BC.cos + BC_per_along_BC * q.theta_BC.sin;
-    const Scalar CD_per_y_B = inverse_CD_across_BC * q.theta_BC.sin;
-    S_d(0, 0) = BC_per_along_BC;
-    S_d(0, 1) = BC_per_along_BC * cos_CD_minus_BC + inverse_BC * sin_CD_minus_BC;
-    S_d(1, 0) = inverse_CD_across_BC;  S_d(1, 1) = inverse_CD_across_BC * cos_CD_minus_BC;
-    S_u(0, 0) = BC_per_x_B;  S_u(0, 1) = BC_per_y_B;  S_u(0, 2) = -BC_per_x_B;
-    S_u(0, 3) = -BC_per_y_B;
-    S_u(1, 0) = CD_per_x_B;  S_u(1, 1) = CD_per_y_B;  S_u(1, 2) = -CD_per_x_B;
-    S_u(1, 3) = -CD_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
-    const Scalar cos_CD_minus_BC = q.theta_BC.cos * q.theta_CD.cos
-        + q.theta_BC.sin * q.theta_CD.sin;
-    const Scalar sin_CD_minus_BC = q.theta_BC.cos * q.theta_CD.sin
-        - q.theta_CD.cos * q.theta_BC.sin;
-    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC, CD_across_BC = -d.CD * sin_CD_minus_BC;
-    const Scalar pivot_product = d.BC * CD_across_BC;
-    // A zero divisor means CD_across_BC = 0, or BC = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_CD_across_BC = -d.BC * inverse, inverse_BC = -CD_across_BC * inverse;
-    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_BC = q.theta_BC.cos * t01 + q.theta_BC.sin * t02;
-    const Scalar velocity_across_BC = q.theta_BC.cos * t02 - q.theta_BC.sin * t01;
-    const Scalar omega_CD = inverse_CD_across_BC * velocity_along_BC;
-    const Scalar omega_BC = -inverse_BC * (CD_along_BC * omega_CD - velocity_across_BC);
-    q_rate(0) = omega_BC;  q_rate(1) = omega_CD;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -447,48 +376,39 @@ struct Model01 {
     q_second_rate(0) = alpha_BC;  q_second_rate(1) = alpha_CD;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
-  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
     const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3);
-    const Scalar cos_CD_minus_BC = q.theta_BC.cos * q.theta_CD.cos
-        + q.theta_BC.sin * q.theta_CD.sin;
-    const Scalar sin_CD_minus_BC = q.theta_BC.cos * q.theta_CD.sin
-        - q.theta_CD.cos * q.theta_BC.sin;
-    const Scalar CD_along_BC = -d.CD * cos_CD_minus_BC, CD_across_BC = -d.CD * sin_CD_minus_BC;
-    const Scalar pivot_product = d.BC * CD_across_BC;
-    // A zero divisor means CD_across_BC = 0, or BC = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_CD_across_BC = -d.BC * inverse, inverse_BC = -CD_across_BC * inverse;
-    const Scalar BC_per_along_BC = -CD_along_BC * inverse_CD_across_BC * inverse_BC;
-    const Scalar BC_per_x_B = BC_per_along_BC * q.theta_BC.cos - inverse_BC * q.theta_BC.sin;
-    const Scalar CD_per_x_B = inverse_CD_across_BC * q.theta_BC.cos;
-    const Scalar BC_per_y_B = inverse_BC * q.theta_BC.cos + BC_per_along_BC * q.theta_BC.sin;
-    const Scalar CD_per_y_B = inverse_CD_across_BC * q.theta_BC.sin, t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D, omega_BC = BC_per_x_B * t01 + BC_per_y_B * t02;
-    const Scalar omega_CD = CD_per_x_B * t01 + CD_per_y_B * t02, t03 = omega_CD * omega_CD;
-    const Scalar centripetal_along_BC = CD_along_BC * t03 - d.BC * omega_BC * omega_BC;
-    const Scalar centripetal_across_BC = CD_across_BC * t03, t04 = a_x_B - a_x_D;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
+    const Scalar omega_BC = s.BC_per_x_B * t01 + s.BC_per_y_B * t02;
+    const Scalar omega_CD = s.CD_per_x_B * t01 + s.CD_per_y_B * t02, t03 = omega_CD * omega_CD;
+    const Scalar centripetal_along_BC = s.CD_along_BC * t03 - d.BC * omega_BC * omega_BC;
+    const Scalar centripetal_across_BC = s.CD_across_BC * t03, t04 = a_x_B - a_x_D;
     const Scalar t05 = a_y_B - a_y_D;
-    S_d(0, 0) = BC_per_along_BC;
-    S_d(0, 1) = BC_per_along_BC * cos_CD_minus_BC + inverse_BC * sin_CD_minus_BC;
-    S_d(1, 0) = inverse_CD_across_BC;  S_d(1, 1) = inverse_CD_across_BC * cos_CD_minus_BC;
-    S_u(0, 0) = BC_per_x_B;  S_u(0, 1) = BC_per_y_B;  S_u(0, 2) = -BC_per_x_B;
-    S_u(0, 3) = -BC_per_y_B;
-    S_u(1, 0) = CD_per_x_B;  S_u(1, 1) = CD_per_y_B;  S_u(1, 2) = -CD_per_x_B;
-    S_u(1, 3) = -CD_per_y_B;
     q_rate(0) = omega_BC;  q_rate(1) = omega_CD;
-    q_second_rate(0) = BC_per_x_B * t04 + BC_per_y_B * t05 + inverse_BC * centripetal_across_BC
-        + BC_per_along_BC * centripetal_along_BC;
-    q_second_rate(1) = CD_per_x_B * t04 + CD_per_y_B * t05
-        + inverse_CD_across_BC * centripetal_along_BC;
+    q_second_rate(0) = s.BC_per_x_B * t04 + s.BC_per_y_B * t05
+        + s.inverse_BC * centripetal_across_BC + s.BC_per_along_BC * centripetal_along_BC;
+    q_second_rate(1) = s.CD_per_x_B * t04 + s.CD_per_y_B * t05
+        + s.inverse_CD_across_BC * centripetal_along_BC;
   }
 
   /// The final polynomial T in theta_CD, free of all other unknowns:

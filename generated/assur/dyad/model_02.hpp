@@ -23,18 +23,11 @@ namespace assur::dyad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: every link has an external joint.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     6, 8, 0
 ///   jacobian:                     2, 0, 0
 ///   dimension_jacobian:           0, 0, 0
 ///   input_jacobian:               4, 2, 0
-///   velocity_rhs:                 6, 6, 0
-///   acceleration_rhs:             19, 12, 0
-///   jerk_rhs:                     39, 20, 0
 ///   curvature_rhs:                26, 10, 0
 ///   link_poses:                   6, 6, 0
 ///   pose_jacobians:               6, 2, 0
@@ -43,9 +36,8 @@ namespace assur::dyad {
 ///   pose_curvatures:              26, 8, 0
 ///   degeneracies:                 3, 3, 0
 ///   inverse_jacobian:             11, 4, 1
-///   sensitivities:                15, 6, 1
-///   velocity:                     14, 9, 1
 ///   motion:                       28, 21, 1
+///   sensitivities:                15, 6, 1
 ///   sensitivities_and_motion:     37, 24, 1
 ///   position_polynomial:          7, 4, 0
 ///   complete:                     5, 5, 0
@@ -62,7 +54,7 @@ struct Model02 {
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 0;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -156,6 +148,38 @@ struct Model02 {
       {"RRP", { 2, 1, 0 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CD_minus_phi_B = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_CD_minus_phi_B = u.phi_B.cos * q.theta_CD.sin - q.theta_CD.cos * u.phi_B.sin;
+    const Scalar CD_along_slide_B = -d.CD * cos_CD_minus_phi_B;
+    const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
+    // A zero divisor means CD_along_slide_B = 0.
+    const Scalar inverse = Scalar(1) / CD_along_slide_B;
+    const Scalar s_B_per_across_slide_B = -CD_across_slide_B * inverse;
+    const Scalar CD_per_x_B = -inverse * u.phi_B.sin;
+    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
+    const Scalar CD_per_y_B = inverse * u.phi_B.cos;
+    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
+    const Scalar CD_per_phi_B = inverse * q.s_B;
+    const Scalar s_B_per_phi_B = q.s_B * s_B_per_across_slide_B - d.h_B_BC;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = -inverse;  S_d(0, 1) = inverse * sin_CD_minus_phi_B;
+      S_d(1, 0) = -s_B_per_across_slide_B;
+      S_d(1, 1) = sin_CD_minus_phi_B * s_B_per_across_slide_B - cos_CD_minus_phi_B;
+      S_u(0, 0) = CD_per_x_B;  S_u(0, 1) = CD_per_y_B;  S_u(0, 2) = CD_per_phi_B;
+      S_u(0, 3) = -CD_per_x_B;  S_u(0, 4) = -CD_per_y_B;
+      S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+      S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -192,65 +216,6 @@ struct Model02 {
     const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
     F_u(0, 0) = -Scalar(1);  F_u(0, 2) = slide_B_y + BC_y;  F_u(0, 3) = Scalar(1);
     F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -slide_B_x - BC_x;  F_u(1, 4) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
-    rhs(0) = v_x_B - (slide_B_y + BC_y) * omega_B - v_x_D;
-    rhs(1) = (slide_B_x + BC_x) * omega_B + v_y_B - v_y_D;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CD = q_rate(0), v_s_B = q_rate(1), a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_x + BC_x, t02 = slide_B_y + BC_y, t03 = omega_CD * omega_CD;
-    rhs(0) = a_x_B + DC_x * t03 - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
-        - t02 * alpha_B - a_x_D;
-    rhs(1) = t01 * alpha_B + a_y_B + DC_y * t03 - omega_B * (t02 * omega_B
-        - Scalar(2) * u.phi_B.cos * v_s_B) - a_y_D;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CD = q_rate(0), alpha_CD = q_second_rate(0), v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
-    const Scalar DC_x = -d.CD * q.theta_CD.cos, DC_y = -d.CD * q.theta_CD.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_y + BC_y, t02 = u.phi_B.cos * v_s_B, t03 = slide_B_x + BC_x;
-    const Scalar t04 = u.phi_B.sin * v_s_B, t05 = omega_CD * omega_CD;
-    rhs(0) = omega_B * (omega_B * (t01 * omega_B - Scalar(3) * t02) - Scalar(3) * t03 * alpha_B
-        - Scalar(3) * u.phi_B.sin * a_s_B) + j_x_B + omega_CD * (Scalar(3) * DC_x * alpha_CD
-        - DC_y * t05) - t01 * jerk_B - j_x_D - Scalar(3) * alpha_B * t04;
-    rhs(1) = t03 * jerk_B + j_y_B + Scalar(3) * t02 * alpha_B
-        + omega_CD * (Scalar(3) * DC_y * alpha_CD + DC_x * t05)
-        - omega_B * (omega_B * (t03 * omega_B + Scalar(3) * t04) + Scalar(3) * t01 * alpha_B
-        - Scalar(3) * u.phi_B.cos * a_s_B) - j_y_D;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -405,54 +370,6 @@ struct Model02 {
     J_inverse(1, 1) = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CD_minus_phi_B = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
-    const Scalar sin_CD_minus_phi_B = u.phi_B.cos * q.theta_CD.sin - q.theta_CD.cos * u.phi_B.sin;
-    const Scalar CD_along_slide_B = -d.CD * cos_CD_minus_phi_B;
-    const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
-    // A zero divisor means CD_along_slide_B = 0.
-    const Scalar inverse = Scalar(1) / CD_along_slide_B;
-    const Scalar s_B_per_across_slide_B = -CD_across_slide_B * inverse;
-    const Scalar CD_per_x_B = -inverse * u.phi_B.sin;
-    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
-    const Scalar CD_per_y_B = inverse * u.phi_B.cos;
-    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
-    S_d(0, 0) = -inverse;  S_d(0, 1) = inverse * sin_CD_minus_phi_B;
-    S_d(1, 0) = -s_B_per_across_slide_B;
-    S_d(1, 1) = sin_CD_minus_phi_B * s_B_per_across_slide_B - cos_CD_minus_phi_B;
-    S_u(0, 0) = CD_per_x_B;  S_u(0, 1) = CD_per_y_B;  S_u(0, 2) = inverse * q.s_B;
-    S_u(0, 3) = -CD_per_x_B;  S_u(0, 4) = -CD_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = q.s_B * s_B_per_across_slide_B - d.h_B_BC;  S_u(1, 3) = -s_B_per_x_B;
-    S_u(1, 4) = -s_B_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar cos_CD_minus_phi_B = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
-    const Scalar sin_CD_minus_phi_B = u.phi_B.cos * q.theta_CD.sin - q.theta_CD.cos * u.phi_B.sin;
-    const Scalar CD_along_slide_B = -d.CD * cos_CD_minus_phi_B;
-    const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
-    // A zero divisor means CD_along_slide_B = 0.
-    const Scalar inverse = Scalar(1) / CD_along_slide_B;
-    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02
-        + d.h_B_BC * omega_B;
-    const Scalar velocity_across_slide_B = u.phi_B.cos * t02 + q.s_B * omega_B - u.phi_B.sin * t01;
-    const Scalar omega_CD = inverse * velocity_across_slide_B;
-    const Scalar v_s_B = -CD_across_slide_B * omega_CD - velocity_along_slide_B;
-    q_rate(0) = omega_CD;  q_rate(1) = v_s_B;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -486,6 +403,15 @@ struct Model02 {
     q_second_rate(0) = alpha_CD;  q_second_rate(1) = a_s_B;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -494,43 +420,25 @@ struct Model02 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4);
-    const Scalar cos_CD_minus_phi_B = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
-    const Scalar sin_CD_minus_phi_B = u.phi_B.cos * q.theta_CD.sin - q.theta_CD.cos * u.phi_B.sin;
-    const Scalar CD_along_slide_B = -d.CD * cos_CD_minus_phi_B;
-    const Scalar CD_across_slide_B = -d.CD * sin_CD_minus_phi_B;
-    // A zero divisor means CD_along_slide_B = 0.
-    const Scalar inverse = Scalar(1) / CD_along_slide_B;
-    const Scalar s_B_per_across_slide_B = -CD_across_slide_B * inverse;
-    const Scalar CD_per_x_B = -inverse * u.phi_B.sin;
-    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
-    const Scalar CD_per_y_B = inverse * u.phi_B.cos;
-    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
-    const Scalar CD_per_phi_B = inverse * q.s_B;
-    const Scalar s_B_per_phi_B = q.s_B * s_B_per_across_slide_B - d.h_B_BC, t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
-    const Scalar omega_CD = CD_per_x_B * t01 + CD_per_y_B * t02 + CD_per_phi_B * omega_B;
-    const Scalar v_s_B = s_B_per_x_B * t01 + s_B_per_y_B * t02 + s_B_per_phi_B * omega_B;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
+    const Scalar omega_CD = s.CD_per_x_B * t01 + s.CD_per_y_B * t02 + s.CD_per_phi_B * omega_B;
+    const Scalar v_s_B = s.s_B_per_x_B * t01 + s.s_B_per_y_B * t02 + s.s_B_per_phi_B * omega_B;
     const Scalar t03 = omega_CD * omega_CD;
-    const Scalar centripetal_along_slide_B = CD_along_slide_B * t03 - q.s_B * omega_B * omega_B;
+    const Scalar centripetal_along_slide_B = s.CD_along_slide_B * t03 - q.s_B * omega_B * omega_B;
     const Scalar centripetal_across_slide_B = omega_B * (d.h_B_BC * omega_B + Scalar(2) * v_s_B)
-        + CD_across_slide_B * t03;
+        + s.CD_across_slide_B * t03;
     const Scalar t04 = a_x_B - a_x_D, t05 = a_y_B - a_y_D;
-    S_d(0, 0) = -inverse;  S_d(0, 1) = inverse * sin_CD_minus_phi_B;
-    S_d(1, 0) = -s_B_per_across_slide_B;
-    S_d(1, 1) = sin_CD_minus_phi_B * s_B_per_across_slide_B - cos_CD_minus_phi_B;
-    S_u(0, 0) = CD_per_x_B;  S_u(0, 1) = CD_per_y_B;  S_u(0, 2) = CD_per_phi_B;
-    S_u(0, 3) = -CD_per_x_B;  S_u(0, 4) = -CD_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
     q_rate(0) = omega_CD;  q_rate(1) = v_s_B;
-    q_second_rate(0) = CD_per_x_B * t04 + CD_per_y_B * t05 + CD_per_phi_B * alpha_B
-        + inverse * centripetal_across_slide_B;
-    q_second_rate(1) = s_B_per_x_B * t04 + s_B_per_y_B * t05 + s_B_per_phi_B * alpha_B
-        + s_B_per_across_slide_B * centripetal_across_slide_B - centripetal_along_slide_B;
+    q_second_rate(0) = s.CD_per_x_B * t04 + s.CD_per_y_B * t05 + s.CD_per_phi_B * alpha_B
+        + s.inverse * centripetal_across_slide_B;
+    q_second_rate(1) = s.s_B_per_x_B * t04 + s.s_B_per_y_B * t05 + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_across_slide_B * centripetal_across_slide_B - centripetal_along_slide_B;
   }
 
   /// The final polynomial T in theta_CD, free of all other unknowns:

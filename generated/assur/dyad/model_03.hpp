@@ -23,18 +23,11 @@ namespace assur::dyad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: every link has an external joint.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     6, 8, 0
 ///   jacobian:                     6, 4, 0
 ///   dimension_jacobian:           0, 0, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 2, 0
-///   acceleration_rhs:             14, 10, 0
-///   jerk_rhs:                     28, 16, 0
 ///   curvature_rhs:                18, 9, 0
 ///   link_poses:                   0, 0, 0
 ///   pose_jacobians:               0, 0, 0
@@ -43,9 +36,8 @@ namespace assur::dyad {
 ///   pose_curvatures:              0, 0, 0
 ///   degeneracies:                 0, 2, 0
 ///   inverse_jacobian:             5, 3, 1
-///   sensitivities:                5, 3, 1
-///   velocity:                     6, 6, 1
 ///   motion:                       16, 14, 1
+///   sensitivities:                5, 3, 1
 ///   sensitivities_and_motion:     20, 15, 1
 ///   position_polynomial:          3, 3, 0
 ///   complete:                     2, 3, 0
@@ -62,7 +54,7 @@ struct Model03 {
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 0;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -153,6 +145,31 @@ struct Model03 {
       {"RPR", { 0, 1, 2 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
+    const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
+    const Scalar s_C_per_across_slide_C = -BC_across_slide_C * inverse;
+    const Scalar BC_per_x_B = -inverse * q.theta_BC.sin;
+    const Scalar s_C_per_x_B = -q.theta_BC.cos - q.theta_BC.sin * s_C_per_across_slide_C;
+    const Scalar BC_per_y_B = inverse * q.theta_BC.cos;
+    const Scalar s_C_per_y_B = q.theta_BC.cos * s_C_per_across_slide_C - q.theta_BC.sin;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = inverse;  S_d(0, 1) = -inverse;
+      S_d(1, 0) = s_C_per_across_slide_C;  S_d(1, 1) = -s_C_per_across_slide_C;
+      S_u(0, 0) = BC_per_x_B;  S_u(0, 1) = BC_per_y_B;  S_u(0, 2) = -BC_per_x_B;
+      S_u(0, 3) = -BC_per_y_B;
+      S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = -s_C_per_x_B;
+      S_u(1, 3) = -s_C_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -189,56 +206,6 @@ struct Model03 {
     F_u.setZero();
     F_u(0, 0) = -Scalar(1);  F_u(0, 2) = Scalar(1);
     F_u(1, 1) = -Scalar(1);  F_u(1, 3) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
-    rhs(0) = v_x_B - v_x_D;  rhs(1) = v_y_B - v_y_D;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BC = q_rate(0), v_s_C = q_rate(1), a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1), a_x_D = u_second_rate(2), a_y_D = u_second_rate(3);
-    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin, DC_y = d.h_C_CD * q.theta_BC.cos;
-    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin, BC_y = d.h_C_BC * q.theta_BC.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BC.cos, slide_C_y = q.s_C * q.theta_BC.sin;
-    rhs(0) = omega_BC * ((DC_x - BC_x - slide_C_x) * omega_BC - Scalar(2) * q.theta_BC.sin * v_s_C)
-        + a_x_B - a_x_D;
-    rhs(1) = omega_BC * ((DC_y - BC_y - slide_C_y) * omega_BC + Scalar(2) * q.theta_BC.cos * v_s_C)
-        + a_y_B - a_y_D;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BC = q_rate(0), alpha_BC = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
-    const Scalar j_x_D = u_third_rate(2), j_y_D = u_third_rate(3);
-    const Scalar DC_x = -d.h_C_CD * q.theta_BC.sin, DC_y = d.h_C_CD * q.theta_BC.cos;
-    const Scalar BC_x = -d.h_C_BC * q.theta_BC.sin, BC_y = d.h_C_BC * q.theta_BC.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BC.cos, slide_C_y = q.s_C * q.theta_BC.sin;
-    const Scalar t01 = DC_y - BC_y - slide_C_y, t02 = q.theta_BC.cos * v_s_C;
-    const Scalar t03 = DC_x - BC_x - slide_C_x, t04 = q.theta_BC.sin * v_s_C;
-    rhs(0) = j_x_B - omega_BC * (omega_BC * (t01 * omega_BC + Scalar(3) * t02)
-        + Scalar(3) * q.theta_BC.sin * a_s_C - Scalar(3) * t03 * alpha_BC) - j_x_D
-        - Scalar(3) * alpha_BC * t04;
-    rhs(1) = omega_BC * (omega_BC * (t03 * omega_BC - Scalar(3) * t04) + Scalar(3) * t01 * alpha_BC
-        + Scalar(3) * q.theta_BC.cos * a_s_C) + j_y_B + Scalar(3) * t02 * alpha_BC - j_y_D;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -346,42 +313,6 @@ struct Model03 {
     J_inverse(1, 1) = q.theta_BC.cos * s_C_per_across_slide_C - q.theta_BC.sin;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
-    const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
-    const Scalar s_C_per_across_slide_C = -BC_across_slide_C * inverse;
-    const Scalar BC_per_x_B = -inverse * q.theta_BC.sin;
-    const Scalar s_C_per_x_B = -q.theta_BC.cos - s_C_per_across_slide_C * q.theta_BC.sin;
-    const Scalar BC_per_y_B = inverse * q.theta_BC.cos;
-    const Scalar s_C_per_y_B = s_C_per_across_slide_C * q.theta_BC.cos - q.theta_BC.sin;
-    S_d(0, 0) = inverse;  S_d(0, 1) = -inverse;
-    S_d(1, 0) = s_C_per_across_slide_C;  S_d(1, 1) = -s_C_per_across_slide_C;
-    S_u(0, 0) = BC_per_x_B;  S_u(0, 1) = BC_per_y_B;  S_u(0, 2) = -BC_per_x_B;
-    S_u(0, 3) = -BC_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = -s_C_per_x_B;
-    S_u(1, 3) = -s_C_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
-    const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
-    const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
-    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_C = q.theta_BC.cos * t01 + q.theta_BC.sin * t02;
-    const Scalar velocity_across_slide_C = q.theta_BC.cos * t02 - q.theta_BC.sin * t01;
-    const Scalar omega_BC = inverse * velocity_across_slide_C;
-    const Scalar v_s_C = -BC_across_slide_C * omega_BC - velocity_along_slide_C;
-    q_rate(0) = omega_BC;  q_rate(1) = v_s_C;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -408,41 +339,40 @@ struct Model03 {
     q_second_rate(0) = alpha_BC;  q_second_rate(1) = a_s_C;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
-  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
     const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3);
-    const Scalar BC_across_slide_C = d.h_C_CD - d.h_C_BC;
-    const Scalar inverse = Scalar(1) / -q.s_C;  // A zero divisor means s_C = 0.
-    const Scalar s_C_per_across_slide_C = -BC_across_slide_C * inverse;
-    const Scalar BC_per_x_B = -inverse * q.theta_BC.sin;
-    const Scalar s_C_per_x_B = -q.theta_BC.cos - q.theta_BC.sin * s_C_per_across_slide_C;
-    const Scalar BC_per_y_B = inverse * q.theta_BC.cos;
-    const Scalar s_C_per_y_B = q.theta_BC.cos * s_C_per_across_slide_C - q.theta_BC.sin;
     const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
-    const Scalar omega_BC = BC_per_x_B * t01 + BC_per_y_B * t02;
-    const Scalar v_s_C = s_C_per_x_B * t01 + s_C_per_y_B * t02;
+    const Scalar omega_BC = s.BC_per_x_B * t01 + s.BC_per_y_B * t02;
+    const Scalar v_s_C = s.s_C_per_x_B * t01 + s.s_C_per_y_B * t02;
     const Scalar centripetal_along_slide_C = -q.s_C * omega_BC * omega_BC;
-    const Scalar centripetal_across_slide_C = omega_BC * (BC_across_slide_C * omega_BC
+    const Scalar centripetal_across_slide_C = omega_BC * (s.BC_across_slide_C * omega_BC
         + Scalar(2) * v_s_C);
     const Scalar t03 = a_x_B - a_x_D, t04 = a_y_B - a_y_D;
-    S_d(0, 0) = inverse;  S_d(0, 1) = -inverse;
-    S_d(1, 0) = s_C_per_across_slide_C;  S_d(1, 1) = -s_C_per_across_slide_C;
-    S_u(0, 0) = BC_per_x_B;  S_u(0, 1) = BC_per_y_B;  S_u(0, 2) = -BC_per_x_B;
-    S_u(0, 3) = -BC_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = -s_C_per_x_B;
-    S_u(1, 3) = -s_C_per_y_B;
     q_rate(0) = omega_BC;  q_rate(1) = v_s_C;
-    q_second_rate(0) = BC_per_x_B * t03 + BC_per_y_B * t04 + inverse * centripetal_across_slide_C;
-    q_second_rate(1) = s_C_per_x_B * t03 + s_C_per_y_B * t04
-        + s_C_per_across_slide_C * centripetal_across_slide_C - centripetal_along_slide_C;
+    q_second_rate(0) = s.BC_per_x_B * t03 + s.BC_per_y_B * t04
+        + s.inverse * centripetal_across_slide_C;
+    q_second_rate(1) = s.s_C_per_x_B * t03 + s.s_C_per_y_B * t04
+        + s.s_C_per_across_slide_C * centripetal_across_slide_C - centripetal_along_slide_C;
   }
 
   /// The final polynomial T in theta_BC, free of all other unknowns:

@@ -23,18 +23,11 @@ namespace assur::dyad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: every link has an external joint.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     10, 10, 0
 ///   jacobian:                     4, 2, 0
 ///   dimension_jacobian:           8, 4, 0
 ///   input_jacobian:               10, 6, 0
-///   velocity_rhs:                 12, 10, 0
-///   acceleration_rhs:             24, 16, 0
-///   jerk_rhs:                     40, 24, 0
 ///   curvature_rhs:                32, 18, 0
 ///   link_poses:                   6, 4, 0
 ///   pose_jacobians:               2, 0, 0
@@ -43,9 +36,8 @@ namespace assur::dyad {
 ///   pose_curvatures:              10, 2, 0
 ///   degeneracies:                 0, 0, 0
 ///   inverse_jacobian:             5, 2, 1
-///   sensitivities:                16, 9, 1
-///   velocity:                     12, 10, 1
 ///   motion:                       26, 22, 1
+///   sensitivities:                16, 9, 1
 ///   sensitivities_and_motion:     39, 27, 1
 ///   position_polynomial:          5, 4, 0
 ///   complete:                     4, 5, 0
@@ -62,7 +54,7 @@ struct Model04 {
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 0;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 1;  ///< index of the final polynomial's unknown
@@ -156,6 +148,39 @@ struct Model04 {
       {"RPP", { 2, 1, 0 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar t01 = q.s_C * d.psi_C_BC.cos + d.h_C_CD * d.psi_C_BC.sin;
+    const Scalar phi_B_along_slide_B = -q.s_B - t01;
+    const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
+    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // A zero divisor means sin(psi_C_BC) = 0.
+    const Scalar s_B_per_across_slide_B = -d.psi_C_BC.cos * inverse;
+    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
+    const Scalar s_C_per_x_B = -inverse * u.phi_B.sin;
+    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
+    const Scalar s_C_per_y_B = inverse * u.phi_B.cos;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_B * s_B_per_across_slide_B
+        - phi_B_across_slide_B;
+    const Scalar s_C_per_phi_B = -phi_B_along_slide_B * inverse;
+    const Scalar t04 = d.psi_C_BC.sin + d.psi_C_BC.cos * s_B_per_across_slide_B;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = q.s_C * t04 - d.h_C_CD * (d.psi_C_BC.cos
+          - d.psi_C_BC.sin * s_B_per_across_slide_B);
+      S_d(0, 1) = -t04;
+      S_d(1, 0) = t01 * inverse;  S_d(1, 1) = s_B_per_across_slide_B;
+      S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+      S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
+      S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+      S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -203,71 +228,6 @@ struct Model04 {
     const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
     F_u(0, 0) = -Scalar(1);  F_u(0, 2) = slide_B_y + slide_C_y - DC_y;  F_u(0, 3) = Scalar(1);
     F_u(1, 1) = -Scalar(1);  F_u(1, 2) = DC_x - slide_B_x - slide_C_x;  F_u(1, 4) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DC_x = -d.h_C_CD * sin_CD, DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    rhs(0) = (DC_y - slide_B_y - slide_C_y) * omega_B + v_x_B - v_x_D;
-    rhs(1) = v_y_B - (DC_x - slide_B_x - slide_C_x) * omega_B - v_y_D;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
-    const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DC_x = -d.h_C_CD * sin_CD, DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = DC_x - slide_B_x - slide_C_x, t02 = DC_y - slide_B_y - slide_C_y;
-    rhs(0) = omega_B * (t01 * omega_B - Scalar(2) * u.phi_B.sin * v_s_B
-        - Scalar(2) * sin_CD * v_s_C) + t02 * alpha_B + a_x_B - a_x_D;
-    rhs(1) = omega_B * (t02 * omega_B + Scalar(2) * u.phi_B.cos * v_s_B
-        + Scalar(2) * cos_CD * v_s_C) + a_y_B - t01 * alpha_B - a_y_D;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
-    const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DC_x = -d.h_C_CD * sin_CD, DC_y = d.h_C_CD * cos_CD;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = DC_y - slide_B_y - slide_C_y, t02 = u.phi_B.sin * v_s_B + sin_CD * v_s_C;
-    const Scalar t03 = DC_x - slide_B_x - slide_C_x, t04 = u.phi_B.cos * v_s_B + cos_CD * v_s_C;
-    rhs(0) = t01 * jerk_B + j_x_B + omega_B * (Scalar(3) * t03 * alpha_B
-        - Scalar(3) * u.phi_B.sin * a_s_B - Scalar(3) * sin_CD * a_s_C - omega_B * (t01 * omega_B
-        + Scalar(3) * t04)) - Scalar(3) * alpha_B * t02 - j_x_D;
-    rhs(1) = Scalar(3) * t04 * alpha_B + j_y_B + omega_B * (Scalar(3) * t01 * alpha_B
-        + Scalar(3) * u.phi_B.cos * a_s_B + Scalar(3) * cos_CD * a_s_C - omega_B * (Scalar(3) * t02
-        - t03 * omega_B)) - t03 * jerk_B - j_y_D;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -396,51 +356,6 @@ struct Model04 {
     J_inverse(1, 0) = -inverse * u.phi_B.sin;  J_inverse(1, 1) = inverse * u.phi_B.cos;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar t01 = q.s_C * d.psi_C_BC.cos + d.h_C_CD * d.psi_C_BC.sin;
-    const Scalar phi_B_along_slide_B = -q.s_B - t01;
-    const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
-    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // A zero divisor means sin(psi_C_BC) = 0.
-    const Scalar s_B_per_across_slide_B = -d.psi_C_BC.cos * inverse;
-    const Scalar s_B_per_x_B = -u.phi_B.cos - s_B_per_across_slide_B * u.phi_B.sin;
-    const Scalar s_C_per_x_B = -inverse * u.phi_B.sin;
-    const Scalar s_B_per_y_B = s_B_per_across_slide_B * u.phi_B.cos - u.phi_B.sin;
-    const Scalar s_C_per_y_B = inverse * u.phi_B.cos;
-    const Scalar t02 = d.psi_C_BC.sin + d.psi_C_BC.cos * s_B_per_across_slide_B;
-    S_d(0, 0) = q.s_C * t02 - d.h_C_CD * (d.psi_C_BC.cos - d.psi_C_BC.sin * s_B_per_across_slide_B);
-    S_d(0, 1) = -t02;
-    S_d(1, 0) = t01 * inverse;  S_d(1, 1) = s_B_per_across_slide_B;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = -phi_B_along_slide_B * s_B_per_across_slide_B - phi_B_across_slide_B;
-    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = -phi_B_along_slide_B * inverse;
-    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4);
-    const Scalar phi_B_along_slide_B = -q.s_B - q.s_C * d.psi_C_BC.cos - d.h_C_CD * d.psi_C_BC.sin;
-    const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
-    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // A zero divisor means sin(psi_C_BC) = 0.
-    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02
-        + phi_B_across_slide_B * omega_B;
-    const Scalar velocity_across_slide_B = u.phi_B.cos * t02 - u.phi_B.sin * t01
-        - phi_B_along_slide_B * omega_B;
-    const Scalar v_s_C = inverse * velocity_across_slide_B;
-    const Scalar v_s_B = -d.psi_C_BC.cos * v_s_C - velocity_along_slide_B;
-    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -470,6 +385,15 @@ struct Model04 {
     q_second_rate(0) = a_s_B;  q_second_rate(1) = a_s_C;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -478,43 +402,25 @@ struct Model04 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4);
-    const Scalar t01 = q.s_C * d.psi_C_BC.cos + d.h_C_CD * d.psi_C_BC.sin;
-    const Scalar phi_B_along_slide_B = -q.s_B - t01;
-    const Scalar phi_B_across_slide_B = d.h_C_CD * d.psi_C_BC.cos - q.s_C * d.psi_C_BC.sin;
-    const Scalar inverse = Scalar(1) / -d.psi_C_BC.sin;  // A zero divisor means sin(psi_C_BC) = 0.
-    const Scalar s_B_per_across_slide_B = -d.psi_C_BC.cos * inverse;
-    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
-    const Scalar s_C_per_x_B = -inverse * u.phi_B.sin;
-    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
-    const Scalar s_C_per_y_B = inverse * u.phi_B.cos;
-    const Scalar s_B_per_phi_B = -phi_B_along_slide_B * s_B_per_across_slide_B
-        - phi_B_across_slide_B;
-    const Scalar s_C_per_phi_B = -phi_B_along_slide_B * inverse, t02 = v_x_B - v_x_D;
-    const Scalar t03 = v_y_B - v_y_D;
-    const Scalar v_s_B = s_B_per_x_B * t02 + s_B_per_y_B * t03 + s_B_per_phi_B * omega_B;
-    const Scalar v_s_C = s_C_per_x_B * t02 + s_C_per_y_B * t03 + s_C_per_phi_B * omega_B;
+    const Scalar t02 = v_x_B - v_x_D, t03 = v_y_B - v_y_D;
+    const Scalar v_s_B = s.s_B_per_x_B * t02 + s.s_B_per_y_B * t03 + s.s_B_per_phi_B * omega_B;
+    const Scalar v_s_C = s.s_C_per_x_B * t02 + s.s_C_per_y_B * t03 + s.s_C_per_phi_B * omega_B;
     const Scalar centripetal_along_slide_B = -omega_B * (Scalar(2) * d.psi_C_BC.sin * v_s_C
-        - phi_B_along_slide_B * omega_B);
+        - s.phi_B_along_slide_B * omega_B);
     const Scalar centripetal_across_slide_B = omega_B * (Scalar(2) * d.psi_C_BC.cos * v_s_C
-        + Scalar(2) * v_s_B + phi_B_across_slide_B * omega_B);
-    const Scalar t04 = d.psi_C_BC.sin + d.psi_C_BC.cos * s_B_per_across_slide_B;
+        + Scalar(2) * v_s_B + s.phi_B_across_slide_B * omega_B);
     const Scalar t05 = a_x_B - a_x_D, t06 = a_y_B - a_y_D;
-    S_d(0, 0) = q.s_C * t04 - d.h_C_CD * (d.psi_C_BC.cos - d.psi_C_BC.sin * s_B_per_across_slide_B);
-    S_d(0, 1) = -t04;
-    S_d(1, 0) = t01 * inverse;  S_d(1, 1) = s_B_per_across_slide_B;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
     q_rate(0) = v_s_B;  q_rate(1) = v_s_C;
-    q_second_rate(0) = s_B_per_x_B * t05 + s_B_per_y_B * t06 + s_B_per_phi_B * alpha_B
-        + s_B_per_across_slide_B * centripetal_across_slide_B - centripetal_along_slide_B;
-    q_second_rate(1) = s_C_per_x_B * t05 + s_C_per_y_B * t06 + s_C_per_phi_B * alpha_B
-        + inverse * centripetal_across_slide_B;
+    q_second_rate(0) = s.s_B_per_x_B * t05 + s.s_B_per_y_B * t06 + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_across_slide_B * centripetal_across_slide_B - centripetal_along_slide_B;
+    q_second_rate(1) = s.s_C_per_x_B * t05 + s.s_C_per_y_B * t06 + s.s_C_per_phi_B * alpha_B
+        + s.inverse * centripetal_across_slide_B;
   }
 
   /// The final polynomial T in s_C, free of all other unknowns:

@@ -23,18 +23,11 @@ namespace assur::dyad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: every link has an external joint.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     8, 10, 0
 ///   jacobian:                     0, 0, 0
 ///   dimension_jacobian:           0, 0, 0
 ///   input_jacobian:               8, 4, 0
-///   velocity_rhs:                 12, 10, 0
-///   acceleration_rhs:             28, 18, 0
-///   jerk_rhs:                     56, 30, 0
 ///   curvature_rhs:                32, 14, 0
 ///   link_poses:                   8, 8, 0
 ///   pose_jacobians:               8, 4, 0
@@ -43,9 +36,8 @@ namespace assur::dyad {
 ///   pose_curvatures:              32, 12, 0
 ///   degeneracies:                 2, 1, 0
 ///   inverse_jacobian:             9, 4, 1
-///   sensitivities:                18, 9, 1
-///   velocity:                     18, 13, 1
 ///   motion:                       36, 29, 1
+///   sensitivities:                18, 9, 1
 ///   sensitivities_and_motion:     49, 33, 1
 ///   position_polynomial:          9, 7, 0
 ///   complete:                     6, 7, 0
@@ -62,7 +54,7 @@ struct Model05 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 0;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 1;  ///< index of the final polynomial's unknown
@@ -157,6 +149,43 @@ struct Model05 {
       {"PRP", { 0, 1, 2 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
+    const Scalar sin_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.sin - u.phi_D.cos * u.phi_B.sin;
+    const Scalar phi_D_along_slide_B = q.s_D * cos_phi_D_minus_phi_B
+        + d.h_D_CD * sin_phi_D_minus_phi_B;
+    const Scalar phi_D_across_slide_B = q.s_D * sin_phi_D_minus_phi_B
+        - d.h_D_CD * cos_phi_D_minus_phi_B;
+    // A zero divisor means sin(phi_B - phi_D) = 0.
+    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;
+    const Scalar s_B_per_across_slide_B = cos_phi_D_minus_phi_B * inverse;
+    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
+    const Scalar s_D_per_x_B = -u.phi_B.sin * inverse;
+    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
+    const Scalar s_D_per_y_B = u.phi_B.cos * inverse;
+    const Scalar s_B_per_phi_B = q.s_B * s_B_per_across_slide_B - d.h_B_BC;
+    const Scalar s_D_per_phi_B = q.s_B * inverse;
+    const Scalar s_B_per_phi_D = -phi_D_along_slide_B * s_B_per_across_slide_B
+        - phi_D_across_slide_B;
+    const Scalar s_D_per_phi_D = -phi_D_along_slide_B * inverse;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = -s_B_per_across_slide_B;
+      S_d(0, 1) = sin_phi_D_minus_phi_B + cos_phi_D_minus_phi_B * s_B_per_across_slide_B;
+      S_d(1, 0) = -inverse;  S_d(1, 1) = s_B_per_across_slide_B;
+      S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+      S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;  S_u(0, 5) = s_B_per_phi_D;
+      S_u(1, 0) = s_D_per_x_B;  S_u(1, 1) = s_D_per_y_B;  S_u(1, 2) = s_D_per_phi_B;
+      S_u(1, 3) = -s_D_per_x_B;  S_u(1, 4) = -s_D_per_y_B;  S_u(1, 5) = s_D_per_phi_D;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -198,74 +227,6 @@ struct Model05 {
     F_u(0, 5) = -slide_D_y - DC_y;
     F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -slide_B_x - BC_x;  F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x + DC_x;
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
-    rhs(0) = (slide_D_y + DC_y) * omega_D + v_x_B - (slide_B_y + BC_y) * omega_B - v_x_D;
-    rhs(1) = (slide_B_x + BC_x) * omega_B + v_y_B - (slide_D_x + DC_x) * omega_D - v_y_D;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), v_s_D = q_rate(1), a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3), a_y_D = u_second_rate(4), omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_x + BC_x, t02 = slide_D_x + DC_x, t03 = slide_B_y + BC_y;
-    const Scalar t04 = slide_D_y + DC_y;
-    rhs(0) = omega_D * (t02 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t04 * alpha_D + a_x_B
-        - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B) - t03 * alpha_B - a_x_D;
-    rhs(1) = omega_D * (t04 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + t01 * alpha_B + a_y_B
-        - omega_B * (t03 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B) - t02 * alpha_D - a_y_D;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_D = q_rate(1);
-    const Scalar a_s_D = q_second_rate(1), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3), j_y_D = u_third_rate(4), omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5), jerk_D = u_third_rate(5);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DC_x = d.h_D_CD * u.phi_D.sin, DC_y = -d.h_D_CD * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = slide_B_y + BC_y, t02 = u.phi_B.cos * v_s_B, t03 = slide_B_x + BC_x;
-    const Scalar t04 = slide_D_y + DC_y, t05 = u.phi_D.cos * v_s_D, t06 = slide_D_x + DC_x;
-    const Scalar t07 = u.phi_D.sin * v_s_D, t08 = u.phi_B.sin * v_s_B;
-    rhs(0) = omega_B * (omega_B * (t01 * omega_B - Scalar(3) * t02) - Scalar(3) * t03 * alpha_B
-        - Scalar(3) * u.phi_B.sin * a_s_B) + t04 * jerk_D + j_x_B + Scalar(3) * alpha_D * t07
-        - omega_D * (omega_D * (t04 * omega_D - Scalar(3) * t05) - Scalar(3) * t06 * alpha_D
-        - Scalar(3) * u.phi_D.sin * a_s_D) - t01 * jerk_B - j_x_D - Scalar(3) * alpha_B * t08;
-    rhs(1) = omega_D * (omega_D * (t06 * omega_D + Scalar(3) * t07) + Scalar(3) * t04 * alpha_D
-        - Scalar(3) * u.phi_D.cos * a_s_D) + t03 * jerk_B + j_y_B + Scalar(3) * t02 * alpha_B
-        - omega_B * (omega_B * (t03 * omega_B + Scalar(3) * t08) + Scalar(3) * t01 * alpha_B
-        - Scalar(3) * u.phi_B.cos * a_s_B) - t06 * jerk_D - j_y_D - Scalar(3) * t05 * alpha_D;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -429,61 +390,6 @@ struct Model05 {
     J_inverse(1, 0) = -u.phi_B.sin * inverse;  J_inverse(1, 1) = u.phi_B.cos * inverse;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar sin_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.sin - u.phi_D.cos * u.phi_B.sin;
-    const Scalar phi_D_along_slide_B = q.s_D * cos_phi_D_minus_phi_B
-        + d.h_D_CD * sin_phi_D_minus_phi_B;
-    const Scalar phi_D_across_slide_B = q.s_D * sin_phi_D_minus_phi_B
-        - d.h_D_CD * cos_phi_D_minus_phi_B;
-    // A zero divisor means sin(phi_B - phi_D) = 0.
-    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;
-    const Scalar s_B_per_across_slide_B = cos_phi_D_minus_phi_B * inverse;
-    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
-    const Scalar s_D_per_x_B = -u.phi_B.sin * inverse;
-    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
-    const Scalar s_D_per_y_B = u.phi_B.cos * inverse;
-    S_d(0, 0) = -s_B_per_across_slide_B;
-    S_d(0, 1) = sin_phi_D_minus_phi_B + cos_phi_D_minus_phi_B * s_B_per_across_slide_B;
-    S_d(1, 0) = -inverse;  S_d(1, 1) = s_B_per_across_slide_B;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = q.s_B * s_B_per_across_slide_B - d.h_B_BC;  S_u(0, 3) = -s_B_per_x_B;
-    S_u(0, 4) = -s_B_per_y_B;
-    S_u(0, 5) = -phi_D_along_slide_B * s_B_per_across_slide_B - phi_D_across_slide_B;
-    S_u(1, 0) = s_D_per_x_B;  S_u(1, 1) = s_D_per_y_B;  S_u(1, 2) = q.s_B * inverse;
-    S_u(1, 3) = -s_D_per_x_B;  S_u(1, 4) = -s_D_per_y_B;
-    S_u(1, 5) = -phi_D_along_slide_B * inverse;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5);
-    const Scalar cos_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar sin_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.sin - u.phi_D.cos * u.phi_B.sin;
-    const Scalar phi_D_along_slide_B = q.s_D * cos_phi_D_minus_phi_B
-        + d.h_D_CD * sin_phi_D_minus_phi_B;
-    const Scalar phi_D_across_slide_B = q.s_D * sin_phi_D_minus_phi_B
-        - d.h_D_CD * cos_phi_D_minus_phi_B;
-    // A zero divisor means sin(phi_B - phi_D) = 0.
-    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;
-    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_B = u.phi_B.cos * t01 + u.phi_B.sin * t02 + d.h_B_BC * omega_B
-        + phi_D_across_slide_B * omega_D;
-    const Scalar velocity_across_slide_B = u.phi_B.cos * t02 + q.s_B * omega_B - u.phi_B.sin * t01
-        - phi_D_along_slide_B * omega_D;
-    const Scalar v_s_D = inverse * velocity_across_slide_B;
-    const Scalar v_s_B = cos_phi_D_minus_phi_B * v_s_D - velocity_along_slide_B;
-    q_rate(0) = v_s_B;  q_rate(1) = v_s_D;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -521,6 +427,15 @@ struct Model05 {
     q_second_rate(0) = a_s_B;  q_second_rate(1) = a_s_D;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -529,51 +444,29 @@ struct Model05 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
-    const Scalar cos_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar sin_phi_D_minus_phi_B = u.phi_B.cos * u.phi_D.sin - u.phi_D.cos * u.phi_B.sin;
-    const Scalar phi_D_along_slide_B = q.s_D * cos_phi_D_minus_phi_B
-        + d.h_D_CD * sin_phi_D_minus_phi_B;
-    const Scalar phi_D_across_slide_B = q.s_D * sin_phi_D_minus_phi_B
-        - d.h_D_CD * cos_phi_D_minus_phi_B;
-    // A zero divisor means sin(phi_B - phi_D) = 0.
-    const Scalar inverse = Scalar(1) / sin_phi_D_minus_phi_B;
-    const Scalar s_B_per_across_slide_B = cos_phi_D_minus_phi_B * inverse;
-    const Scalar s_B_per_x_B = -u.phi_B.cos - u.phi_B.sin * s_B_per_across_slide_B;
-    const Scalar s_D_per_x_B = -u.phi_B.sin * inverse;
-    const Scalar s_B_per_y_B = u.phi_B.cos * s_B_per_across_slide_B - u.phi_B.sin;
-    const Scalar s_D_per_y_B = u.phi_B.cos * inverse;
-    const Scalar s_B_per_phi_B = q.s_B * s_B_per_across_slide_B - d.h_B_BC;
-    const Scalar s_D_per_phi_B = q.s_B * inverse;
-    const Scalar s_B_per_phi_D = -phi_D_along_slide_B * s_B_per_across_slide_B
-        - phi_D_across_slide_B;
-    const Scalar s_D_per_phi_D = -phi_D_along_slide_B * inverse, t01 = v_x_B - v_x_D;
-    const Scalar t02 = v_y_B - v_y_D;
-    const Scalar v_s_B = s_B_per_x_B * t01 + s_B_per_y_B * t02 + s_B_per_phi_B * omega_B
-        + s_B_per_phi_D * omega_D;
-    const Scalar v_s_D = s_D_per_x_B * t01 + s_D_per_y_B * t02 + s_D_per_phi_B * omega_B
-        + s_D_per_phi_D * omega_D;
-    const Scalar centripetal_along_slide_B = omega_D * (Scalar(2) * sin_phi_D_minus_phi_B * v_s_D
-        + phi_D_along_slide_B * omega_D) - q.s_B * omega_B * omega_B;
+    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
+    const Scalar v_s_B = s.s_B_per_x_B * t01 + s.s_B_per_y_B * t02 + s.s_B_per_phi_B * omega_B
+        + s.s_B_per_phi_D * omega_D;
+    const Scalar v_s_D = s.s_D_per_x_B * t01 + s.s_D_per_y_B * t02 + s.s_D_per_phi_B * omega_B
+        + s.s_D_per_phi_D * omega_D;
+    const Scalar centripetal_along_slide_B = omega_D * (Scalar(2) * s.sin_phi_D_minus_phi_B * v_s_D
+        + s.phi_D_along_slide_B * omega_D) - q.s_B * omega_B * omega_B;
     const Scalar centripetal_across_slide_B = omega_B * (d.h_B_BC * omega_B + Scalar(2) * v_s_B)
-        - omega_D * (Scalar(2) * cos_phi_D_minus_phi_B * v_s_D - phi_D_across_slide_B * omega_D);
+        - omega_D * (Scalar(2) * s.cos_phi_D_minus_phi_B * v_s_D
+        - s.phi_D_across_slide_B * omega_D);
     const Scalar t03 = a_x_B - a_x_D, t04 = a_y_B - a_y_D;
-    S_d(0, 0) = -s_B_per_across_slide_B;
-    S_d(0, 1) = sin_phi_D_minus_phi_B + cos_phi_D_minus_phi_B * s_B_per_across_slide_B;
-    S_d(1, 0) = -inverse;  S_d(1, 1) = s_B_per_across_slide_B;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;  S_u(0, 5) = s_B_per_phi_D;
-    S_u(1, 0) = s_D_per_x_B;  S_u(1, 1) = s_D_per_y_B;  S_u(1, 2) = s_D_per_phi_B;
-    S_u(1, 3) = -s_D_per_x_B;  S_u(1, 4) = -s_D_per_y_B;  S_u(1, 5) = s_D_per_phi_D;
     q_rate(0) = v_s_B;  q_rate(1) = v_s_D;
-    q_second_rate(0) = s_B_per_x_B * t03 + s_B_per_y_B * t04 + s_B_per_phi_B * alpha_B
-        + s_B_per_phi_D * alpha_D + s_B_per_across_slide_B * centripetal_across_slide_B
+    q_second_rate(0) = s.s_B_per_x_B * t03 + s.s_B_per_y_B * t04 + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_phi_D * alpha_D + s.s_B_per_across_slide_B * centripetal_across_slide_B
         - centripetal_along_slide_B;
-    q_second_rate(1) = s_D_per_x_B * t03 + s_D_per_y_B * t04 + s_D_per_phi_B * alpha_B
-        + s_D_per_phi_D * alpha_D + inverse * centripetal_across_slide_B;
+    q_second_rate(1) = s.s_D_per_x_B * t03 + s.s_D_per_y_B * t04 + s.s_D_per_phi_B * alpha_B
+        + s.s_D_per_phi_D * alpha_D + s.inverse * centripetal_across_slide_B;
   }
 
   /// The final polynomial T in s_D, free of all other unknowns:

@@ -24,18 +24,11 @@ namespace assur::dyad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: the group is no structure.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     10, 10, 0
 ///   jacobian:                     4, 2, 0
 ///   dimension_jacobian:           6, 2, 0
 ///   input_jacobian:               10, 4, 0
-///   velocity_rhs:                 14, 10, 0
-///   acceleration_rhs:             34, 20, 0
-///   jerk_rhs:                     64, 34, 0
 ///   curvature_rhs:                38, 18, 0
 ///   link_poses:                   8, 6, 0
 ///   pose_jacobians:               4, 0, 0
@@ -56,7 +49,7 @@ struct Model06 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 1;
   static constexpr int closure_link_count = 0;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -178,82 +171,6 @@ struct Model06 {
     F_u(0, 5) = -slide_D_y;
     F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -slide_B_x - slide_C_x;  F_u(1, 4) = Scalar(1);
     F_u(1, 5) = slide_D_x;
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5);
-    const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    rhs(0) = v_x_B + slide_D_y * omega_D - (slide_B_y + slide_C_y) * omega_B - v_x_D;
-    rhs(1) = (slide_B_x + slide_C_x) * omega_B + v_y_B - v_y_D - slide_D_x * omega_D;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3), a_y_D = u_second_rate(4), omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5);
-    const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar t01 = slide_B_x + slide_C_x, t02 = slide_B_y + slide_C_y;
-    rhs(0) = omega_D * (Scalar(2) * u.phi_D.sin * v_s_D + slide_D_x * omega_D) + a_x_B
-        + slide_D_y * alpha_D - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B
-        + Scalar(2) * sin_CD * v_s_C) - t02 * alpha_B - a_x_D;
-    rhs(1) = t01 * alpha_B + a_y_B - omega_B * (t02 * omega_B - Scalar(2) * u.phi_B.cos * v_s_B
-        - Scalar(2) * cos_CD * v_s_C) - omega_D * (Scalar(2) * u.phi_D.cos * v_s_D
-        - slide_D_y * omega_D) - a_y_D - slide_D_x * alpha_D;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
-    const Scalar j_x_B = u_third_rate(0), j_y_B = u_third_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), jerk_B = u_third_rate(2), j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
-    const Scalar jerk_D = u_third_rate(5);
-    const Scalar cos_CD = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, t01 = u.phi_D.cos * v_s_D;
-    const Scalar t02 = u.phi_B.sin * v_s_B + sin_CD * v_s_C, t03 = slide_B_y + slide_C_y;
-    const Scalar t04 = u.phi_D.sin * v_s_D, t05 = slide_B_x + slide_C_x;
-    const Scalar t06 = u.phi_B.cos * v_s_B + cos_CD * v_s_C;
-    rhs(0) = omega_D * (omega_D * (Scalar(3) * t01 - slide_D_y * omega_D)
-        + Scalar(3) * u.phi_D.sin * a_s_D + Scalar(3) * slide_D_x * alpha_D) + j_x_B
-        + slide_D_y * jerk_D + Scalar(3) * alpha_D * t04 - Scalar(3) * alpha_B * t02 - t03 * jerk_B
-        - j_x_D - omega_B * (Scalar(3) * t05 * alpha_B + Scalar(3) * u.phi_B.sin * a_s_B
-        + Scalar(3) * sin_CD * a_s_C - omega_B * (t03 * omega_B - Scalar(3) * t06));
-    rhs(1) = omega_D * (omega_D * (Scalar(3) * t04 + slide_D_x * omega_D)
-        + Scalar(3) * slide_D_y * alpha_D - Scalar(3) * u.phi_D.cos * a_s_D)
-        + Scalar(3) * t06 * alpha_B + t05 * jerk_B + j_y_B - j_y_D - slide_D_x * jerk_D
-        - Scalar(3) * t01 * alpha_D - omega_B * (Scalar(3) * t03 * alpha_B
-        + omega_B * (Scalar(3) * t02 + t05 * omega_B) - Scalar(3) * u.phi_B.cos * a_s_B
-        - Scalar(3) * cos_CD * a_s_C);
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

@@ -28,34 +28,21 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   S_CD is moved by theta_BCG and theta_CD through BCG, and by theta_EDF and theta_CD through EDF
-///   S_GF is moved by theta_BCG and theta_GF through BCG, and by theta_EDF and theta_GF through EDF
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     16, 18, 0
 ///   jacobian:                     16, 4, 0
 ///   dimension_jacobian:           0, 0, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 2, 0
-///   acceleration_rhs:             32, 18, 0
-///   jerk_rhs:                     68, 30, 0
 ///   curvature_rhs:                72, 28, 0
 ///   link_poses:                   6, 6, 0
 ///   pose_jacobians:               6, 2, 0
 ///   link_velocities:              10, 6, 0
 ///   link_accelerations:           15, 10, 0
 ///   pose_curvatures:              26, 8, 0
-///   special_point_lines:          20, 6, 0
-///   special_point_lengths:        32, 16, 0
-///   special_point_velocities:     0, 0, 0
-///   special_point_accelerations:  36, 24, 0
 ///   degeneracies:                 26, 18, 0
 ///   inverse_jacobian:             72, 21, 1
-///   sensitivities:                102, 35, 1
-///   velocity:                     56, 25, 1
 ///   motion:                       90, 47, 1
+///   sensitivities:                102, 35, 1
 ///   sensitivities_and_motion:     142, 63, 1
 ///   position_polynomial:          111, 77, 0
 ///   second_equations:             34, 24, 0
@@ -73,7 +60,7 @@ struct Model01 {
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = true;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -180,6 +167,110 @@ struct Model01 {
       {"RRR-RRR", { 0, 1, 2, 3, 4, 5 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_BCG_minus_CD = q.theta_BCG.cos * q.theta_CD.cos
+        + q.theta_BCG.sin * q.theta_CD.sin;
+    const Scalar sin_BCG_minus_CD = q.theta_CD.cos * q.theta_BCG.sin
+        - q.theta_BCG.cos * q.theta_CD.sin;
+    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
+        + q.theta_CD.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
+        - q.theta_CD.sin * q.theta_EDF.cos;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD, BCG_across_CD = d.BC * sin_BCG_minus_CD;
+    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
+    const Scalar t01 = d.CD * d.GF, pivot_product = determinant * t01;
+    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_GF = d.CD * t02, inverse_CD = d.GF * t02;
+    const Scalar BCG_per_along_CD = -EDF_across_GF * inverse_determinant;
+    const Scalar EDF_per_along_CD = BCG_across_GF * inverse_determinant;
+    const Scalar GF_per_along_CD = -inverse_GF * (BCG_along_GF * BCG_per_along_CD
+        + EDF_along_GF * EDF_per_along_CD);
+    const Scalar CD_per_along_CD = -inverse_CD * (BCG_per_along_CD * BCG_along_CD
+        + EDF_per_along_CD * EDF_along_CD);
+    const Scalar BCG_per_along_GF = EDF_across_CD * inverse_determinant;
+    const Scalar EDF_per_along_GF = -BCG_across_CD * inverse_determinant;
+    const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
+        + EDF_along_GF * EDF_per_along_GF);
+    const Scalar CD_per_along_GF = -inverse_CD * (BCG_along_CD * BCG_per_along_GF
+        + EDF_along_CD * EDF_per_along_GF);
+    const Scalar BCG_per_x_B = -BCG_per_along_CD * q.theta_CD.cos
+        - BCG_per_along_GF * q.theta_GF.cos;
+    const Scalar EDF_per_x_B = -EDF_per_along_CD * q.theta_CD.cos
+        - EDF_per_along_GF * q.theta_GF.cos;
+    const Scalar CD_per_x_B = inverse_CD * q.theta_CD.sin - CD_per_along_CD * q.theta_CD.cos
+        - CD_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_CD * q.theta_CD.cos
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar BCG_per_y_B = -BCG_per_along_CD * q.theta_CD.sin
+        - BCG_per_along_GF * q.theta_GF.sin;
+    const Scalar EDF_per_y_B = -EDF_per_along_CD * q.theta_CD.sin
+        - EDF_per_along_GF * q.theta_GF.sin;
+    const Scalar CD_per_y_B = -inverse_CD * q.theta_CD.cos - CD_per_along_CD * q.theta_CD.sin
+        - CD_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = -BCG_per_along_CD * cos_BCG_minus_CD;
+      S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
+      S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
+      S_d(0, 3) = BCG_per_along_CD * cos_EDF_minus_CD;
+      S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
+      S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = -BCG_per_along_CD;
+      S_d(0, 7) = -BCG_per_along_GF;
+      S_d(1, 0) = -EDF_per_along_CD * cos_BCG_minus_CD;
+      S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
+      S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
+      S_d(1, 3) = EDF_per_along_CD * cos_EDF_minus_CD;
+      S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+      S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(1, 6) = -EDF_per_along_CD;
+      S_d(1, 7) = -EDF_per_along_GF;
+      S_d(2, 0) = -CD_per_along_CD * cos_BCG_minus_CD - inverse_CD * sin_BCG_minus_CD;
+      S_d(2, 1) = -CD_per_along_GF * cos_BCG_minus_GF;
+      S_d(2, 2) = CD_per_along_GF * sin_BCG_minus_GF;
+      S_d(2, 3) = CD_per_along_CD * cos_EDF_minus_CD + inverse_CD * sin_EDF_minus_CD;
+      S_d(2, 4) = CD_per_along_GF * cos_EDF_minus_GF;
+      S_d(2, 5) = -CD_per_along_GF * sin_EDF_minus_GF;  S_d(2, 6) = -CD_per_along_CD;
+      S_d(2, 7) = -CD_per_along_GF;
+      S_d(3, 0) = -GF_per_along_CD * cos_BCG_minus_CD;
+      S_d(3, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
+      S_d(3, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
+      S_d(3, 3) = GF_per_along_CD * cos_EDF_minus_CD;
+      S_d(3, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
+      S_d(3, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
+      S_d(3, 6) = -GF_per_along_CD;  S_d(3, 7) = -GF_per_along_GF;
+      S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
+      S_u(0, 3) = -BCG_per_y_B;
+      S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
+      S_u(1, 3) = -EDF_per_y_B;
+      S_u(2, 0) = CD_per_x_B;  S_u(2, 1) = CD_per_y_B;  S_u(2, 2) = -CD_per_x_B;
+      S_u(2, 3) = -CD_per_y_B;
+      S_u(3, 0) = GF_per_x_B;  S_u(3, 1) = GF_per_y_B;  S_u(3, 2) = -GF_per_x_B;
+      S_u(3, 3) = -GF_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -238,79 +329,6 @@ struct Model01 {
     F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
     F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), omega_CD = q_rate(2);
-    const Scalar omega_GF = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2), a_y_E = u_second_rate(3);
-    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = omega_BCG * omega_BCG, t02 = omega_EDF * omega_EDF;
-    const Scalar t03 = omega_CD * omega_CD, t04 = a_x_B - a_x_E, t05 = a_y_B - a_y_E;
-    const Scalar t06 = omega_GF * omega_GF;
-    rhs(0) = BC_x * t01 + CD_x * t03 - ED_x * t02 - t04;
-    rhs(1) = BC_y * t01 + CD_y * t03 - ED_y * t02 - t05;
-    rhs(2) = BG_x * t01 + GF_x * t06 - EF_x * t02 - t04;
-    rhs(3) = BG_y * t01 + GF_y * t06 - EF_y * t02 - t05;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), omega_EDF = q_rate(1);
-    const Scalar alpha_EDF = q_second_rate(1), omega_CD = q_rate(2), alpha_CD = q_second_rate(2);
-    const Scalar omega_GF = q_rate(3), alpha_GF = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
-    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = j_x_B - j_x_E, t02 = omega_BCG * omega_BCG, t03 = omega_EDF * omega_EDF;
-    const Scalar t04 = omega_CD * omega_CD, t05 = j_y_B - j_y_E, t06 = omega_GF * omega_GF;
-    rhs(0) = omega_BCG * (Scalar(3) * BC_x * alpha_BCG - BC_y * t02)
-        + omega_CD * (Scalar(3) * CD_x * alpha_CD - CD_y * t04) - t01
-        - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t03);
-    rhs(1) = omega_BCG * (Scalar(3) * BC_y * alpha_BCG + BC_x * t02)
-        + omega_CD * (Scalar(3) * CD_y * alpha_CD + CD_x * t04) - t05
-        - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t03);
-    rhs(2) = omega_BCG * (Scalar(3) * BG_x * alpha_BCG - BG_y * t02)
-        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t06) - t01
-        - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t03);
-    rhs(3) = omega_BCG * (Scalar(3) * BG_y * alpha_BCG + BG_x * t02)
-        + omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t06) - t05
-        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t03);
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -459,99 +477,6 @@ struct Model01 {
         - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - BG_y * omega_BCG);
   }
 
-  /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two per closure link. S is measured from the origin of the
-  /// link's frame, in the directions of the fixed frame.
-  template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-    lines.setZero();
-    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    lines(0, 0) = -BC_y;  lines(0, 1) = BC_x;
-    lines(1, 0) = -ED_y;  lines(1, 1) = ED_x;  lines(1, 2) = ED_x * CD_y - ED_y * CD_x;
-    lines(2, 0) = -BG_y;  lines(2, 1) = BG_x;
-    lines(3, 0) = -EF_y;  lines(3, 1) = EF_x;  lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
-  }
-
-  /// The signed lengths L: on side i of its link a special point at S moves by
-  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
-  template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
-      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
-    const Scalar n_GF_EDF_y = n(3, 1);
-    L.setZero();
-    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    L(0, 0) = BC_x * n_CD_BCG_y - BC_y * n_CD_BCG_x;
-    L(0, 2) = n_CD_BCG_y * S_CD_x - n_CD_BCG_x * S_CD_y;
-    L(1, 1) = ED_x * n_CD_EDF_y - ED_y * n_CD_EDF_x;
-    L(1, 2) = n_CD_EDF_y * (S_CD_x - CD_x) - n_CD_EDF_x * (S_CD_y - CD_y);
-    L(2, 0) = BG_x * n_GF_BCG_y - BG_y * n_GF_BCG_x;
-    L(2, 3) = n_GF_BCG_y * S_GF_x - n_GF_BCG_x * S_GF_y;
-    L(3, 1) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
-    L(3, 3) = n_GF_EDF_y * (S_GF_x - GF_x) - n_GF_EDF_x * (S_GF_y - GF_y);
-  }
-
-  /// The velocity of each special point by each side, less what dq/dt adds.
-  template <typename Scalar>
-  static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;
-    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B;  v(2, 1) = v_y_B;
-    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
-  }
-
-  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
-  /// centripetal and Coriolis terms, and the second rates of the inputs.
-  template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>& u_second_rate,
-      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), omega_CD = q_rate(2);
-    const Scalar omega_GF = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2), a_y_E = u_second_rate(3), S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
-    const Scalar BC_x = d.BC * q.theta_BCG.cos, BC_y = d.BC * q.theta_BCG.sin;
-    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = omega_BCG * omega_BCG, t02 = omega_CD * omega_CD;
-    const Scalar t03 = omega_EDF * omega_EDF, t04 = omega_GF * omega_GF;
-    a(0, 0) = a_x_B - BC_x * t01 - S_CD_x * t02;  a(0, 1) = a_y_B - BC_y * t01 - S_CD_y * t02;
-    a(1, 0) = a_x_E - (S_CD_x - CD_x) * t02 - ED_x * t03;
-    a(1, 1) = a_y_E - (S_CD_y - CD_y) * t02 - ED_y * t03;
-    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t04;  a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t04;
-    a(3, 0) = a_x_E - EF_x * t03 - (S_GF_x - GF_x) * t04;
-    a(3, 1) = a_y_E - EF_y * t03 - (S_GF_y - GF_y) * t04;
-  }
-
   /// The divisors p of the elimination, pivots of the core first; the size that each could
   /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = -(BCG_across_CD EDF_across_GF - EDF_across_CD BCG_across_GF) GF CD
@@ -646,155 +571,6 @@ struct Model01 {
     J_inverse(3, 3) = inverse_GF * q.theta_GF.cos + GF_per_along_GF * q.theta_GF.sin;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_BCG_minus_CD = q.theta_BCG.cos * q.theta_CD.cos
-        + q.theta_BCG.sin * q.theta_CD.sin;
-    const Scalar sin_BCG_minus_CD = q.theta_CD.cos * q.theta_BCG.sin
-        - q.theta_BCG.cos * q.theta_CD.sin;
-    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
-        + q.theta_CD.sin * q.theta_EDF.sin;
-    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
-        - q.theta_CD.sin * q.theta_EDF.cos;
-    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
-        + q.theta_BCG.sin * q.theta_GF.sin;
-    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
-        - q.theta_BCG.cos * q.theta_GF.sin;
-    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
-        + q.theta_EDF.sin * q.theta_GF.sin;
-    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
-        - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD, BCG_across_CD = d.BC * sin_BCG_minus_CD;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
-    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
-    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
-    const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
-    const Scalar t01 = d.CD * d.GF, pivot_product = determinant * t01;
-    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t02, inverse_CD = d.GF * t02;
-    const Scalar BCG_per_along_CD = -EDF_across_GF * inverse_determinant;
-    const Scalar EDF_per_along_CD = BCG_across_GF * inverse_determinant;
-    const Scalar GF_per_along_CD = -inverse_GF * (BCG_along_GF * BCG_per_along_CD
-        + EDF_along_GF * EDF_per_along_CD);
-    const Scalar CD_per_along_CD = -inverse_CD * (BCG_per_along_CD * BCG_along_CD
-        + EDF_per_along_CD * EDF_along_CD);
-    const Scalar BCG_per_along_GF = EDF_across_CD * inverse_determinant;
-    const Scalar EDF_per_along_GF = -BCG_across_CD * inverse_determinant;
-    const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
-        + EDF_along_GF * EDF_per_along_GF);
-    const Scalar CD_per_along_GF = -inverse_CD * (BCG_along_CD * BCG_per_along_GF
-        + EDF_along_CD * EDF_per_along_GF);
-    const Scalar BCG_per_x_B = -BCG_per_along_CD * q.theta_CD.cos
-        - BCG_per_along_GF * q.theta_GF.cos;
-    const Scalar EDF_per_x_B = -EDF_per_along_CD * q.theta_CD.cos
-        - EDF_per_along_GF * q.theta_GF.cos;
-    const Scalar CD_per_x_B = inverse_CD * q.theta_CD.sin - CD_per_along_CD * q.theta_CD.cos
-        - CD_per_along_GF * q.theta_GF.cos;
-    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_CD * q.theta_CD.cos
-        - GF_per_along_GF * q.theta_GF.cos;
-    const Scalar BCG_per_y_B = -BCG_per_along_CD * q.theta_CD.sin
-        - BCG_per_along_GF * q.theta_GF.sin;
-    const Scalar EDF_per_y_B = -EDF_per_along_CD * q.theta_CD.sin
-        - EDF_per_along_GF * q.theta_GF.sin;
-    const Scalar CD_per_y_B = -inverse_CD * q.theta_CD.cos - CD_per_along_CD * q.theta_CD.sin
-        - CD_per_along_GF * q.theta_GF.sin;
-    const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
-        - GF_per_along_GF * q.theta_GF.sin;
-    S_d(0, 0) = -BCG_per_along_CD * cos_BCG_minus_CD;
-    S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
-    S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
-    S_d(0, 3) = BCG_per_along_CD * cos_EDF_minus_CD;
-    S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
-    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = -BCG_per_along_CD;
-    S_d(0, 7) = -BCG_per_along_GF;
-    S_d(1, 0) = -EDF_per_along_CD * cos_BCG_minus_CD;
-    S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
-    S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
-    S_d(1, 3) = EDF_per_along_CD * cos_EDF_minus_CD;
-    S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
-    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(1, 6) = -EDF_per_along_CD;
-    S_d(1, 7) = -EDF_per_along_GF;
-    S_d(2, 0) = -CD_per_along_CD * cos_BCG_minus_CD - inverse_CD * sin_BCG_minus_CD;
-    S_d(2, 1) = -CD_per_along_GF * cos_BCG_minus_GF;
-    S_d(2, 2) = CD_per_along_GF * sin_BCG_minus_GF;
-    S_d(2, 3) = CD_per_along_CD * cos_EDF_minus_CD + inverse_CD * sin_EDF_minus_CD;
-    S_d(2, 4) = CD_per_along_GF * cos_EDF_minus_GF;
-    S_d(2, 5) = -CD_per_along_GF * sin_EDF_minus_GF;  S_d(2, 6) = -CD_per_along_CD;
-    S_d(2, 7) = -CD_per_along_GF;
-    S_d(3, 0) = -GF_per_along_CD * cos_BCG_minus_CD;
-    S_d(3, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
-    S_d(3, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
-    S_d(3, 3) = GF_per_along_CD * cos_EDF_minus_CD;
-    S_d(3, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
-    S_d(3, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
-    S_d(3, 6) = -GF_per_along_CD;  S_d(3, 7) = -GF_per_along_GF;
-    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
-    S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
-    S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = CD_per_x_B;  S_u(2, 1) = CD_per_y_B;  S_u(2, 2) = -CD_per_x_B;
-    S_u(2, 3) = -CD_per_y_B;
-    S_u(3, 0) = GF_per_x_B;  S_u(3, 1) = GF_per_y_B;  S_u(3, 2) = -GF_per_x_B;
-    S_u(3, 3) = -GF_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar cos_BCG_minus_CD = q.theta_BCG.cos * q.theta_CD.cos
-        + q.theta_BCG.sin * q.theta_CD.sin;
-    const Scalar sin_BCG_minus_CD = q.theta_CD.cos * q.theta_BCG.sin
-        - q.theta_BCG.cos * q.theta_CD.sin;
-    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
-        + q.theta_CD.sin * q.theta_EDF.sin;
-    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
-        - q.theta_CD.sin * q.theta_EDF.cos;
-    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
-        + q.theta_BCG.sin * q.theta_GF.sin;
-    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
-        - q.theta_BCG.cos * q.theta_GF.sin;
-    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
-        + q.theta_EDF.sin * q.theta_GF.sin;
-    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
-        - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD, BCG_across_CD = d.BC * sin_BCG_minus_CD;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
-    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
-    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
-    const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
-    const Scalar t01 = d.CD * d.GF, pivot_product = determinant * t01;
-    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t02, inverse_CD = d.GF * t02, t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
-    const Scalar velocity_along_CD = -q.theta_CD.cos * t03 - q.theta_CD.sin * t04;
-    const Scalar velocity_across_CD = q.theta_CD.sin * t03 - q.theta_CD.cos * t04;
-    const Scalar velocity_along_GF = -q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
-    const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04;
-    const Scalar omega_BCG = inverse_determinant * (EDF_across_CD * velocity_along_GF
-        - EDF_across_GF * velocity_along_CD);
-    const Scalar omega_EDF = -inverse_determinant * (BCG_across_CD * velocity_along_GF
-        - BCG_across_GF * velocity_along_CD);
-    const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG + EDF_along_GF * omega_EDF
-        - velocity_across_GF);
-    const Scalar omega_CD = -inverse_CD * (BCG_along_CD * omega_BCG + EDF_along_CD * omega_EDF
-        - velocity_across_CD);
-    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = omega_CD;  q_rate(3) = omega_GF;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -868,131 +644,52 @@ struct Model01 {
     q_second_rate(3) = alpha_GF;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
-  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
     const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
-    const Scalar cos_BCG_minus_CD = q.theta_BCG.cos * q.theta_CD.cos
-        + q.theta_BCG.sin * q.theta_CD.sin;
-    const Scalar sin_BCG_minus_CD = q.theta_CD.cos * q.theta_BCG.sin
-        - q.theta_BCG.cos * q.theta_CD.sin;
-    const Scalar cos_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.cos
-        + q.theta_CD.sin * q.theta_EDF.sin;
-    const Scalar sin_EDF_minus_CD = q.theta_CD.cos * q.theta_EDF.sin
-        - q.theta_CD.sin * q.theta_EDF.cos;
-    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
-        + q.theta_BCG.sin * q.theta_GF.sin;
-    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
-        - q.theta_BCG.cos * q.theta_GF.sin;
-    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
-        + q.theta_EDF.sin * q.theta_GF.sin;
-    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
-        - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar BCG_along_CD = d.BC * cos_BCG_minus_CD, BCG_across_CD = d.BC * sin_BCG_minus_CD;
-    const Scalar EDF_along_CD = -d.ED * cos_EDF_minus_CD, EDF_across_CD = -d.ED * sin_EDF_minus_CD;
-    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
-    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
-    const Scalar determinant = BCG_across_CD * EDF_across_GF - EDF_across_CD * BCG_across_GF;
-    const Scalar t01 = d.CD * d.GF, pivot_product = determinant * t01;
-    // A zero divisor means a dead centre, or GF = 0, or CD = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
-    const Scalar inverse_GF = d.CD * t02, inverse_CD = d.GF * t02;
-    const Scalar BCG_per_along_CD = -EDF_across_GF * inverse_determinant;
-    const Scalar EDF_per_along_CD = BCG_across_GF * inverse_determinant;
-    const Scalar GF_per_along_CD = -inverse_GF * (BCG_along_GF * BCG_per_along_CD
-        + EDF_along_GF * EDF_per_along_CD);
-    const Scalar CD_per_along_CD = -inverse_CD * (BCG_per_along_CD * BCG_along_CD
-        + EDF_per_along_CD * EDF_along_CD);
-    const Scalar BCG_per_along_GF = EDF_across_CD * inverse_determinant;
-    const Scalar EDF_per_along_GF = -BCG_across_CD * inverse_determinant;
-    const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
-        + EDF_along_GF * EDF_per_along_GF);
-    const Scalar CD_per_along_GF = -inverse_CD * (BCG_along_CD * BCG_per_along_GF
-        + EDF_along_CD * EDF_per_along_GF);
-    const Scalar BCG_per_x_B = -BCG_per_along_CD * q.theta_CD.cos
-        - BCG_per_along_GF * q.theta_GF.cos;
-    const Scalar EDF_per_x_B = -EDF_per_along_CD * q.theta_CD.cos
-        - EDF_per_along_GF * q.theta_GF.cos;
-    const Scalar CD_per_x_B = inverse_CD * q.theta_CD.sin - CD_per_along_CD * q.theta_CD.cos
-        - CD_per_along_GF * q.theta_GF.cos;
-    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_CD * q.theta_CD.cos
-        - GF_per_along_GF * q.theta_GF.cos;
-    const Scalar BCG_per_y_B = -BCG_per_along_CD * q.theta_CD.sin
-        - BCG_per_along_GF * q.theta_GF.sin;
-    const Scalar EDF_per_y_B = -EDF_per_along_CD * q.theta_CD.sin
-        - EDF_per_along_GF * q.theta_GF.sin;
-    const Scalar CD_per_y_B = -inverse_CD * q.theta_CD.cos - CD_per_along_CD * q.theta_CD.sin
-        - CD_per_along_GF * q.theta_GF.sin;
-    const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
-        - GF_per_along_GF * q.theta_GF.sin;
     const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
-    const Scalar omega_BCG = BCG_per_x_B * t03 + BCG_per_y_B * t04;
-    const Scalar omega_EDF = EDF_per_x_B * t03 + EDF_per_y_B * t04;
-    const Scalar omega_CD = CD_per_x_B * t03 + CD_per_y_B * t04;
-    const Scalar omega_GF = GF_per_x_B * t03 + GF_per_y_B * t04, t05 = omega_BCG * omega_BCG;
+    const Scalar omega_BCG = s.BCG_per_x_B * t03 + s.BCG_per_y_B * t04;
+    const Scalar omega_EDF = s.EDF_per_x_B * t03 + s.EDF_per_y_B * t04;
+    const Scalar omega_CD = s.CD_per_x_B * t03 + s.CD_per_y_B * t04;
+    const Scalar omega_GF = s.GF_per_x_B * t03 + s.GF_per_y_B * t04, t05 = omega_BCG * omega_BCG;
     const Scalar t06 = omega_EDF * omega_EDF;
-    const Scalar centripetal_along_CD = d.CD * omega_CD * omega_CD + BCG_along_CD * t05
-        + EDF_along_CD * t06;
-    const Scalar centripetal_across_CD = BCG_across_CD * t05 + EDF_across_CD * t06;
-    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + BCG_along_GF * t05
-        + EDF_along_GF * t06;
-    const Scalar centripetal_across_GF = BCG_across_GF * t05 + EDF_across_GF * t06;
+    const Scalar centripetal_along_CD = d.CD * omega_CD * omega_CD + s.BCG_along_CD * t05
+        + s.EDF_along_CD * t06;
+    const Scalar centripetal_across_CD = s.BCG_across_CD * t05 + s.EDF_across_CD * t06;
+    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + s.BCG_along_GF * t05
+        + s.EDF_along_GF * t06;
+    const Scalar centripetal_across_GF = s.BCG_across_GF * t05 + s.EDF_across_GF * t06;
     const Scalar t07 = a_x_B - a_x_E, t08 = a_y_B - a_y_E;
-    S_d(0, 0) = -BCG_per_along_CD * cos_BCG_minus_CD;
-    S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
-    S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
-    S_d(0, 3) = BCG_per_along_CD * cos_EDF_minus_CD;
-    S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
-    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = -BCG_per_along_CD;
-    S_d(0, 7) = -BCG_per_along_GF;
-    S_d(1, 0) = -EDF_per_along_CD * cos_BCG_minus_CD;
-    S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
-    S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
-    S_d(1, 3) = EDF_per_along_CD * cos_EDF_minus_CD;
-    S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
-    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(1, 6) = -EDF_per_along_CD;
-    S_d(1, 7) = -EDF_per_along_GF;
-    S_d(2, 0) = -CD_per_along_CD * cos_BCG_minus_CD - inverse_CD * sin_BCG_minus_CD;
-    S_d(2, 1) = -CD_per_along_GF * cos_BCG_minus_GF;
-    S_d(2, 2) = CD_per_along_GF * sin_BCG_minus_GF;
-    S_d(2, 3) = CD_per_along_CD * cos_EDF_minus_CD + inverse_CD * sin_EDF_minus_CD;
-    S_d(2, 4) = CD_per_along_GF * cos_EDF_minus_GF;
-    S_d(2, 5) = -CD_per_along_GF * sin_EDF_minus_GF;  S_d(2, 6) = -CD_per_along_CD;
-    S_d(2, 7) = -CD_per_along_GF;
-    S_d(3, 0) = -GF_per_along_CD * cos_BCG_minus_CD;
-    S_d(3, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
-    S_d(3, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
-    S_d(3, 3) = GF_per_along_CD * cos_EDF_minus_CD;
-    S_d(3, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
-    S_d(3, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
-    S_d(3, 6) = -GF_per_along_CD;  S_d(3, 7) = -GF_per_along_GF;
-    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
-    S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
-    S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = CD_per_x_B;  S_u(2, 1) = CD_per_y_B;  S_u(2, 2) = -CD_per_x_B;
-    S_u(2, 3) = -CD_per_y_B;
-    S_u(3, 0) = GF_per_x_B;  S_u(3, 1) = GF_per_y_B;  S_u(3, 2) = -GF_per_x_B;
-    S_u(3, 3) = -GF_per_y_B;
     q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = omega_CD;  q_rate(3) = omega_GF;
-    q_second_rate(0) = BCG_per_x_B * t07 + BCG_per_y_B * t08
-        + BCG_per_along_CD * centripetal_along_CD + BCG_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = EDF_per_x_B * t07 + EDF_per_y_B * t08
-        + EDF_per_along_CD * centripetal_along_CD + EDF_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = CD_per_x_B * t07 + CD_per_y_B * t08 + inverse_CD * centripetal_across_CD
-        + CD_per_along_CD * centripetal_along_CD + CD_per_along_GF * centripetal_along_GF;
-    q_second_rate(3) = GF_per_x_B * t07 + GF_per_y_B * t08 + inverse_GF * centripetal_across_GF
-        + GF_per_along_CD * centripetal_along_CD + GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(0) = s.BCG_per_x_B * t07 + s.BCG_per_y_B * t08
+        + s.BCG_per_along_CD * centripetal_along_CD + s.BCG_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = s.EDF_per_x_B * t07 + s.EDF_per_y_B * t08
+        + s.EDF_per_along_CD * centripetal_along_CD + s.EDF_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = s.CD_per_x_B * t07 + s.CD_per_y_B * t08
+        + s.inverse_CD * centripetal_across_CD + s.CD_per_along_CD * centripetal_along_CD
+        + s.CD_per_along_GF * centripetal_along_GF;
+    q_second_rate(3) = s.GF_per_x_B * t07 + s.GF_per_y_B * t08
+        + s.inverse_GF * centripetal_across_GF + s.GF_per_along_CD * centripetal_along_CD
+        + s.GF_per_along_GF * centripetal_along_GF;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

@@ -28,34 +28,21 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   S_CD is moved by theta_BCG and s_C through BCG, and by theta_BCG and theta_EDF through EDF
-///   S_GF is moved by theta_BCG and theta_GF through BCG, and by theta_EDF and theta_GF through EDF
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     18, 20, 0
 ///   jacobian:                     18, 8, 0
 ///   dimension_jacobian:           0, 0, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 2, 0
-///   acceleration_rhs:             37, 22, 0
-///   jerk_rhs:                     75, 36, 0
 ///   curvature_rhs:                70, 31, 0
 ///   link_poses:                   10, 10, 0
 ///   pose_jacobians:               10, 6, 0
 ///   link_velocities:              16, 12, 0
 ///   link_accelerations:           27, 18, 0
 ///   pose_curvatures:              34, 15, 0
-///   special_point_lines:          22, 10, 0
-///   special_point_lengths:        34, 20, 0
-///   special_point_velocities:     0, 0, 0
-///   special_point_accelerations:  41, 28, 0
 ///   degeneracies:                 25, 19, 0
 ///   inverse_jacobian:             59, 20, 1
-///   sensitivities:                83, 33, 1
-///   velocity:                     46, 24, 1
 ///   motion:                       78, 46, 1
+///   sensitivities:                83, 33, 1
 ///   sensitivities_and_motion:     122, 61, 1
 ///   position_polynomial:          90, 63, 0
 ///   second_equations:             29, 20, 0
@@ -73,7 +60,7 @@ struct Model02 {
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = true;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -181,6 +168,103 @@ struct Model02 {
       {"RRR-RRP", { 3, 5, 4, 0, 2, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
+        + q.theta_EDF.sin * q.theta_GF.sin;
+    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
+        - q.theta_EDF.cos * q.theta_GF.sin;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
+    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
+    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
+    const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
+    const Scalar pivot_product = d.GF * determinant;
+    // A zero divisor means a dead centre, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
+    const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
+    const Scalar EDF_per_across_slide_C = BCG_across_GF * inverse_determinant;
+    const Scalar s_C_per_across_slide_C = BCG_across_slide_C * BCG_per_across_slide_C
+        + EDF_across_slide_C * EDF_per_across_slide_C;
+    const Scalar GF_per_across_slide_C = -inverse_GF * (BCG_per_across_slide_C * BCG_along_GF
+        + EDF_per_across_slide_C * EDF_along_GF);
+    const Scalar BCG_per_along_GF = -EDF_along_slide_C * inverse_determinant;
+    const Scalar EDF_per_along_GF = q.s_C * inverse_determinant;
+    const Scalar s_C_per_along_GF = BCG_across_slide_C * BCG_per_along_GF
+        + EDF_across_slide_C * EDF_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
+        + EDF_along_GF * EDF_per_along_GF);
+    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
+        - BCG_per_along_GF * q.theta_GF.cos;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
+        - EDF_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = GF_per_across_slide_C * q.theta_BCG.sin + inverse_GF * q.theta_GF.sin
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C - q.theta_BCG.cos
+        - q.theta_GF.cos * s_C_per_along_GF;
+    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
+        - BCG_per_along_GF * q.theta_GF.sin;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
+        - EDF_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_across_slide_C * q.theta_BCG.cos - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - q.theta_GF.sin * s_C_per_along_GF;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
+      S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
+      S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
+      S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
+      S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = BCG_per_across_slide_C;
+      S_d(0, 7) = -BCG_per_along_GF;
+      S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
+      S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
+      S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
+      S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
+      S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(1, 6) = EDF_per_across_slide_C;
+      S_d(1, 7) = -EDF_per_along_GF;
+      S_d(2, 0) = -GF_per_across_slide_C;
+      S_d(2, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
+      S_d(2, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
+      S_d(2, 3) = GF_per_across_slide_C * sin_EDF_minus_BCG;
+      S_d(2, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
+      S_d(2, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
+      S_d(2, 6) = GF_per_across_slide_C;  S_d(2, 7) = -GF_per_along_GF;
+      S_d(3, 0) = -s_C_per_across_slide_C;  S_d(3, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
+      S_d(3, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
+      S_d(3, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
+      S_d(3, 4) = cos_EDF_minus_GF * s_C_per_along_GF;
+      S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;  S_d(3, 6) = s_C_per_across_slide_C;
+      S_d(3, 7) = -s_C_per_along_GF;
+      S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
+      S_u(0, 3) = -BCG_per_y_B;
+      S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
+      S_u(1, 3) = -EDF_per_y_B;
+      S_u(2, 0) = GF_per_x_B;  S_u(2, 1) = GF_per_y_B;  S_u(2, 2) = -GF_per_x_B;
+      S_u(2, 3) = -GF_per_y_B;
+      S_u(3, 0) = s_C_per_x_B;  S_u(3, 1) = s_C_per_y_B;  S_u(3, 2) = -s_C_per_x_B;
+      S_u(3, 3) = -s_C_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -241,84 +325,6 @@ struct Model02 {
     F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
     F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), omega_GF = q_rate(2);
-    const Scalar v_s_C = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2), a_y_E = u_second_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = omega_EDF * omega_EDF, t02 = a_x_B - a_x_E, t03 = a_y_B - a_y_E;
-    const Scalar t04 = omega_BCG * omega_BCG, t05 = omega_GF * omega_GF;
-    rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C) - ED_x * t01 - t02;
-    rhs(1) = omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG
-        - Scalar(2) * q.theta_BCG.cos * v_s_C) - ED_y * t01 - t03;
-    rhs(2) = BG_x * t04 + GF_x * t05 - EF_x * t01 - t02;
-    rhs(3) = BG_y * t04 + GF_y * t05 - EF_y * t01 - t03;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), omega_EDF = q_rate(1);
-    const Scalar alpha_EDF = q_second_rate(1), omega_GF = q_rate(2), alpha_GF = q_second_rate(2);
-    const Scalar v_s_C = q_rate(3), a_s_C = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = BC_y + slide_C_y + CD_y, t02 = q.theta_BCG.cos * v_s_C;
-    const Scalar t03 = BC_x + slide_C_x + CD_x, t04 = j_x_B - j_x_E, t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = q.theta_BCG.sin * v_s_C, t07 = j_y_B - j_y_E, t08 = omega_BCG * omega_BCG;
-    const Scalar t09 = omega_GF * omega_GF;
-    rhs(0) = Scalar(3) * alpha_BCG * t06 - omega_BCG * (omega_BCG * (t01 * omega_BCG
-        - Scalar(3) * t02) - Scalar(3) * t03 * alpha_BCG - Scalar(3) * q.theta_BCG.sin * a_s_C)
-        - t04 - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t05);
-    rhs(1) = omega_BCG * (omega_BCG * (t03 * omega_BCG + Scalar(3) * t06)
-        + Scalar(3) * t01 * alpha_BCG - Scalar(3) * q.theta_BCG.cos * a_s_C) - t07
-        - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t05) - Scalar(3) * t02 * alpha_BCG;
-    rhs(2) = omega_BCG * (Scalar(3) * BG_x * alpha_BCG - BG_y * t08)
-        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t09) - t04
-        - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t05);
-    rhs(3) = omega_BCG * (Scalar(3) * BG_y * alpha_BCG + BG_x * t08)
-        + omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t09) - t07
-        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t05);
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -490,107 +496,6 @@ struct Model02 {
         - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - BG_y * omega_BCG);
   }
 
-  /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two per closure link. S is measured from the origin of the
-  /// link's frame, in the directions of the fixed frame.
-  template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-    lines.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    lines(0, 0) = -q.theta_BCG.cos;  lines(0, 1) = -q.theta_BCG.sin;
-    lines(0, 2) = (BC_x + slide_C_x + CD_x) * q.theta_BCG.cos + (BC_y + slide_C_y
-        + CD_y) * q.theta_BCG.sin;
-    lines(1, 0) = ED_y;  lines(1, 1) = -ED_x;
-    lines(2, 0) = -BG_y;  lines(2, 1) = BG_x;
-    lines(3, 0) = -EF_y;  lines(3, 1) = EF_x;  lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
-  }
-
-  /// The signed lengths L: on side i of its link a special point at S moves by
-  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
-  template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
-      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
-    const Scalar n_GF_EDF_y = n(3, 1);
-    L.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    L(0, 0) = (BC_x + slide_C_x + CD_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + CD_y
-        + S_CD_y) * n_CD_BCG_x;
-    L(0, 3) = n_CD_BCG_x * q.theta_BCG.cos + n_CD_BCG_y * q.theta_BCG.sin;
-    L(1, 0) = S_CD_x * n_CD_EDF_y - S_CD_y * n_CD_EDF_x;
-    L(1, 1) = n_CD_EDF_y * ED_x - n_CD_EDF_x * ED_y;
-    L(2, 0) = BG_x * n_GF_BCG_y - BG_y * n_GF_BCG_x;
-    L(2, 2) = n_GF_BCG_y * S_GF_x - n_GF_BCG_x * S_GF_y;
-    L(3, 1) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
-    L(3, 2) = n_GF_EDF_y * (S_GF_x - GF_x) - n_GF_EDF_x * (S_GF_y - GF_y);
-  }
-
-  /// The velocity of each special point by each side, less what dq/dt adds.
-  template <typename Scalar>
-  static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;
-    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B;  v(2, 1) = v_y_B;
-    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
-  }
-
-  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
-  /// centripetal and Coriolis terms, and the second rates of the inputs.
-  template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>& u_second_rate,
-      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), omega_GF = q_rate(2);
-    const Scalar v_s_C = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2), a_y_E = u_second_rate(3), S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = omega_BCG * omega_BCG, t02 = omega_EDF * omega_EDF;
-    const Scalar t03 = omega_GF * omega_GF;
-    a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + CD_x + S_CD_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    a(0, 1) = a_y_B - omega_BCG * ((BC_y + slide_C_y + CD_y + S_CD_y) * omega_BCG
-        - Scalar(2) * q.theta_BCG.cos * v_s_C);
-    a(1, 0) = a_x_E - S_CD_x * t01 - ED_x * t02;  a(1, 1) = a_y_E - S_CD_y * t01 - ED_y * t02;
-    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t03;  a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t03;
-    a(3, 0) = a_x_E - EF_x * t02 - (S_GF_x - GF_x) * t03;
-    a(3, 1) = a_y_E - EF_y * t02 - (S_GF_y - GF_y) * t03;
-  }
-
   /// The divisors p of the elimination, pivots of the core first; the size that each could
   /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = -(-s_C EDF_across_GF + EDF_along_slide_C BCG_across_GF) GF
@@ -681,144 +586,6 @@ struct Model02 {
     J_inverse(3, 3) = q.theta_GF.sin * s_C_per_along_GF;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
-        + q.theta_BCG.sin * q.theta_EDF.sin;
-    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
-        - q.theta_EDF.cos * q.theta_BCG.sin;
-    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
-        + q.theta_BCG.sin * q.theta_GF.sin;
-    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
-        - q.theta_BCG.cos * q.theta_GF.sin;
-    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
-        + q.theta_EDF.sin * q.theta_GF.sin;
-    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
-        - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
-    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
-    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
-    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
-    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
-    const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
-    const Scalar pivot_product = d.GF * determinant;
-    // A zero divisor means a dead centre, or GF = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
-    const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
-    const Scalar EDF_per_across_slide_C = BCG_across_GF * inverse_determinant;
-    const Scalar s_C_per_across_slide_C = BCG_across_slide_C * BCG_per_across_slide_C
-        + EDF_across_slide_C * EDF_per_across_slide_C;
-    const Scalar GF_per_across_slide_C = -inverse_GF * (BCG_per_across_slide_C * BCG_along_GF
-        + EDF_per_across_slide_C * EDF_along_GF);
-    const Scalar BCG_per_along_GF = -EDF_along_slide_C * inverse_determinant;
-    const Scalar EDF_per_along_GF = q.s_C * inverse_determinant;
-    const Scalar s_C_per_along_GF = BCG_across_slide_C * BCG_per_along_GF
-        + EDF_across_slide_C * EDF_per_along_GF;
-    const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
-        + EDF_along_GF * EDF_per_along_GF);
-    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
-        - BCG_per_along_GF * q.theta_GF.cos;
-    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
-        - EDF_per_along_GF * q.theta_GF.cos;
-    const Scalar GF_per_x_B = GF_per_across_slide_C * q.theta_BCG.sin + inverse_GF * q.theta_GF.sin
-        - GF_per_along_GF * q.theta_GF.cos;
-    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C - q.theta_BCG.cos
-        - q.theta_GF.cos * s_C_per_along_GF;
-    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
-        - BCG_per_along_GF * q.theta_GF.sin;
-    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
-        - EDF_per_along_GF * q.theta_GF.sin;
-    const Scalar GF_per_y_B = -GF_per_across_slide_C * q.theta_BCG.cos - inverse_GF * q.theta_GF.cos
-        - GF_per_along_GF * q.theta_GF.sin;
-    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
-        - q.theta_GF.sin * s_C_per_along_GF;
-    S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
-    S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
-    S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
-    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = BCG_per_across_slide_C;
-    S_d(0, 7) = -BCG_per_along_GF;
-    S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
-    S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
-    S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
-    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(1, 6) = EDF_per_across_slide_C;
-    S_d(1, 7) = -EDF_per_along_GF;
-    S_d(2, 0) = -GF_per_across_slide_C;
-    S_d(2, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
-    S_d(2, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
-    S_d(2, 3) = GF_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(2, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
-    S_d(2, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
-    S_d(2, 6) = GF_per_across_slide_C;  S_d(2, 7) = -GF_per_along_GF;
-    S_d(3, 0) = -s_C_per_across_slide_C;  S_d(3, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
-    S_d(3, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
-    S_d(3, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
-    S_d(3, 4) = cos_EDF_minus_GF * s_C_per_along_GF;
-    S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;  S_d(3, 6) = s_C_per_across_slide_C;
-    S_d(3, 7) = -s_C_per_along_GF;
-    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
-    S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
-    S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = GF_per_x_B;  S_u(2, 1) = GF_per_y_B;  S_u(2, 2) = -GF_per_x_B;
-    S_u(2, 3) = -GF_per_y_B;
-    S_u(3, 0) = s_C_per_x_B;  S_u(3, 1) = s_C_per_y_B;  S_u(3, 2) = -s_C_per_x_B;
-    S_u(3, 3) = -s_C_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
-        + q.theta_BCG.sin * q.theta_EDF.sin;
-    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
-        - q.theta_EDF.cos * q.theta_BCG.sin;
-    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
-        + q.theta_BCG.sin * q.theta_GF.sin;
-    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
-        - q.theta_BCG.cos * q.theta_GF.sin;
-    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
-        + q.theta_EDF.sin * q.theta_GF.sin;
-    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
-        - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
-    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
-    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
-    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
-    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
-    const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
-    const Scalar pivot_product = d.GF * determinant;
-    // A zero divisor means a dead centre, or GF = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
-    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
-    const Scalar velocity_along_GF = -q.theta_GF.cos * t01 - q.theta_GF.sin * t02;
-    const Scalar velocity_across_GF = q.theta_GF.sin * t01 - q.theta_GF.cos * t02;
-    const Scalar omega_BCG = -inverse_determinant * (EDF_along_slide_C * velocity_along_GF
-        + EDF_across_GF * velocity_across_slide_C);
-    const Scalar omega_EDF = inverse_determinant * (q.s_C * velocity_along_GF
-        + BCG_across_GF * velocity_across_slide_C);
-    const Scalar v_s_C = BCG_across_slide_C * omega_BCG + EDF_across_slide_C * omega_EDF
-        + velocity_along_slide_C;
-    const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG + EDF_along_GF * omega_EDF
-        - velocity_across_GF);
-    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = omega_GF;  q_rate(3) = v_s_C;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -888,128 +655,55 @@ struct Model02 {
     q_second_rate(3) = a_s_C;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
-  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
     const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
-    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
-        + q.theta_BCG.sin * q.theta_EDF.sin;
-    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
-        - q.theta_EDF.cos * q.theta_BCG.sin;
-    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
-        + q.theta_BCG.sin * q.theta_GF.sin;
-    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
-        - q.theta_BCG.cos * q.theta_GF.sin;
-    const Scalar cos_EDF_minus_GF = q.theta_EDF.cos * q.theta_GF.cos
-        + q.theta_EDF.sin * q.theta_GF.sin;
-    const Scalar sin_EDF_minus_GF = q.theta_EDF.sin * q.theta_GF.cos
-        - q.theta_EDF.cos * q.theta_GF.sin;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
-    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
-    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
-    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF;
-    const Scalar EDF_along_GF = d.y_F_EDF * sin_EDF_minus_GF - d.x_F_EDF * cos_EDF_minus_GF;
-    const Scalar EDF_across_GF = -d.x_F_EDF * sin_EDF_minus_GF - d.y_F_EDF * cos_EDF_minus_GF;
-    const Scalar determinant = EDF_along_slide_C * BCG_across_GF - q.s_C * EDF_across_GF;
-    const Scalar pivot_product = d.GF * determinant;
-    // A zero divisor means a dead centre, or GF = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.GF * inverse, inverse_GF = determinant * inverse;
-    const Scalar BCG_per_across_slide_C = -EDF_across_GF * inverse_determinant;
-    const Scalar EDF_per_across_slide_C = BCG_across_GF * inverse_determinant;
-    const Scalar s_C_per_across_slide_C = BCG_across_slide_C * BCG_per_across_slide_C
-        + EDF_across_slide_C * EDF_per_across_slide_C;
-    const Scalar GF_per_across_slide_C = -inverse_GF * (BCG_per_across_slide_C * BCG_along_GF
-        + EDF_per_across_slide_C * EDF_along_GF);
-    const Scalar BCG_per_along_GF = -EDF_along_slide_C * inverse_determinant;
-    const Scalar EDF_per_along_GF = q.s_C * inverse_determinant;
-    const Scalar s_C_per_along_GF = BCG_across_slide_C * BCG_per_along_GF
-        + EDF_across_slide_C * EDF_per_along_GF;
-    const Scalar GF_per_along_GF = -inverse_GF * (BCG_along_GF * BCG_per_along_GF
-        + EDF_along_GF * EDF_per_along_GF);
-    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
-        - BCG_per_along_GF * q.theta_GF.cos;
-    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
-        - EDF_per_along_GF * q.theta_GF.cos;
-    const Scalar GF_per_x_B = GF_per_across_slide_C * q.theta_BCG.sin + inverse_GF * q.theta_GF.sin
-        - GF_per_along_GF * q.theta_GF.cos;
-    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C - q.theta_BCG.cos
-        - q.theta_GF.cos * s_C_per_along_GF;
-    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
-        - BCG_per_along_GF * q.theta_GF.sin;
-    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
-        - EDF_per_along_GF * q.theta_GF.sin;
-    const Scalar GF_per_y_B = -GF_per_across_slide_C * q.theta_BCG.cos - inverse_GF * q.theta_GF.cos
-        - GF_per_along_GF * q.theta_GF.sin;
-    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
-        - q.theta_GF.sin * s_C_per_along_GF;
     const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    const Scalar omega_BCG = BCG_per_x_B * t01 + BCG_per_y_B * t02;
-    const Scalar omega_EDF = EDF_per_x_B * t01 + EDF_per_y_B * t02;
-    const Scalar omega_GF = GF_per_x_B * t01 + GF_per_y_B * t02;
-    const Scalar v_s_C = s_C_per_x_B * t01 + s_C_per_y_B * t02, t03 = omega_EDF * omega_EDF;
+    const Scalar omega_BCG = s.BCG_per_x_B * t01 + s.BCG_per_y_B * t02;
+    const Scalar omega_EDF = s.EDF_per_x_B * t01 + s.EDF_per_y_B * t02;
+    const Scalar omega_GF = s.GF_per_x_B * t01 + s.GF_per_y_B * t02;
+    const Scalar v_s_C = s.s_C_per_x_B * t01 + s.s_C_per_y_B * t02, t03 = omega_EDF * omega_EDF;
     const Scalar t04 = omega_BCG * omega_BCG;
-    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t03 + q.s_C * t04;
-    const Scalar centripetal_across_slide_C = omega_BCG * (BCG_across_slide_C * omega_BCG
-        - Scalar(2) * v_s_C) + EDF_across_slide_C * t03;
-    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + EDF_along_GF * t03
-        + BCG_along_GF * t04;
-    const Scalar centripetal_across_GF = EDF_across_GF * t03 + BCG_across_GF * t04;
+    const Scalar centripetal_along_slide_C = s.EDF_along_slide_C * t03 + q.s_C * t04;
+    const Scalar centripetal_across_slide_C = omega_BCG * (s.BCG_across_slide_C * omega_BCG
+        - Scalar(2) * v_s_C) + s.EDF_across_slide_C * t03;
+    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + s.EDF_along_GF * t03
+        + s.BCG_along_GF * t04;
+    const Scalar centripetal_across_GF = s.EDF_across_GF * t03 + s.BCG_across_GF * t04;
     const Scalar t05 = a_x_B - a_x_E, t06 = a_y_B - a_y_E;
-    S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = -BCG_per_along_GF * cos_BCG_minus_GF;
-    S_d(0, 2) = BCG_per_along_GF * sin_BCG_minus_GF;
-    S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(0, 4) = BCG_per_along_GF * cos_EDF_minus_GF;
-    S_d(0, 5) = -BCG_per_along_GF * sin_EDF_minus_GF;  S_d(0, 6) = BCG_per_across_slide_C;
-    S_d(0, 7) = -BCG_per_along_GF;
-    S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = -EDF_per_along_GF * cos_BCG_minus_GF;
-    S_d(1, 2) = EDF_per_along_GF * sin_BCG_minus_GF;
-    S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(1, 4) = EDF_per_along_GF * cos_EDF_minus_GF;
-    S_d(1, 5) = -EDF_per_along_GF * sin_EDF_minus_GF;  S_d(1, 6) = EDF_per_across_slide_C;
-    S_d(1, 7) = -EDF_per_along_GF;
-    S_d(2, 0) = -GF_per_across_slide_C;
-    S_d(2, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
-    S_d(2, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
-    S_d(2, 3) = GF_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(2, 4) = GF_per_along_GF * cos_EDF_minus_GF + inverse_GF * sin_EDF_minus_GF;
-    S_d(2, 5) = inverse_GF * cos_EDF_minus_GF - GF_per_along_GF * sin_EDF_minus_GF;
-    S_d(2, 6) = GF_per_across_slide_C;  S_d(2, 7) = -GF_per_along_GF;
-    S_d(3, 0) = -s_C_per_across_slide_C;  S_d(3, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
-    S_d(3, 2) = sin_BCG_minus_GF * s_C_per_along_GF;
-    S_d(3, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
-    S_d(3, 4) = cos_EDF_minus_GF * s_C_per_along_GF;
-    S_d(3, 5) = -sin_EDF_minus_GF * s_C_per_along_GF;  S_d(3, 6) = s_C_per_across_slide_C;
-    S_d(3, 7) = -s_C_per_along_GF;
-    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
-    S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
-    S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = GF_per_x_B;  S_u(2, 1) = GF_per_y_B;  S_u(2, 2) = -GF_per_x_B;
-    S_u(2, 3) = -GF_per_y_B;
-    S_u(3, 0) = s_C_per_x_B;  S_u(3, 1) = s_C_per_y_B;  S_u(3, 2) = -s_C_per_x_B;
-    S_u(3, 3) = -s_C_per_y_B;
     q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = omega_GF;  q_rate(3) = v_s_C;
-    q_second_rate(0) = BCG_per_x_B * t05 + BCG_per_y_B * t06
-        + BCG_per_across_slide_C * centripetal_across_slide_C
-        + BCG_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = EDF_per_x_B * t05 + EDF_per_y_B * t06
-        + EDF_per_across_slide_C * centripetal_across_slide_C
-        + EDF_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = GF_per_x_B * t05 + GF_per_y_B * t06 + inverse_GF * centripetal_across_GF
-        + GF_per_across_slide_C * centripetal_across_slide_C
-        + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(3) = s_C_per_x_B * t05 + s_C_per_y_B * t06
-        + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
+    q_second_rate(0) = s.BCG_per_x_B * t05 + s.BCG_per_y_B * t06
+        + s.BCG_per_across_slide_C * centripetal_across_slide_C
+        + s.BCG_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = s.EDF_per_x_B * t05 + s.EDF_per_y_B * t06
+        + s.EDF_per_across_slide_C * centripetal_across_slide_C
+        + s.EDF_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = s.GF_per_x_B * t05 + s.GF_per_y_B * t06
+        + s.inverse_GF * centripetal_across_GF
+        + s.GF_per_across_slide_C * centripetal_across_slide_C
+        + s.GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(3) = s.s_C_per_x_B * t05 + s.s_C_per_y_B * t06
+        + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

@@ -28,34 +28,21 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   S_CD is moved by theta_BCG and s_C through BCG, and by theta_BCG and theta_EDF through EDF
-///   S_GF is moved by theta_BCG and theta_EDF through BCG, and by theta_EDF and s_F through EDF
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     20, 22, 0
 ///   jacobian:                     20, 12, 0
 ///   dimension_jacobian:           0, 0, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 2, 0
-///   acceleration_rhs:             42, 26, 0
-///   jerk_rhs:                     82, 42, 0
 ///   curvature_rhs:                68, 34, 0
 ///   link_poses:                   10, 10, 0
 ///   pose_jacobians:               10, 6, 0
 ///   link_velocities:              16, 12, 0
 ///   link_accelerations:           27, 18, 0
 ///   pose_curvatures:              34, 15, 0
-///   special_point_lines:          24, 14, 0
-///   special_point_lengths:        36, 24, 0
-///   special_point_velocities:     0, 0, 0
-///   special_point_accelerations:  46, 32, 0
 ///   degeneracies:                 21, 18, 0
 ///   inverse_jacobian:             42, 17, 1
-///   sensitivities:                58, 29, 1
-///   velocity:                     32, 21, 1
 ///   motion:                       62, 43, 1
+///   sensitivities:                58, 29, 1
 ///   sensitivities_and_motion:     96, 57, 1
 ///   position_polynomial:          75, 54, 0
 ///   second_equations:             16, 12, 0
@@ -73,7 +60,7 @@ struct Model03 {
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = true;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -178,6 +165,89 @@ struct Model03 {
       {"RRP-RPR", { 0, 2, 1, 3, 5, 4 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_EDF.cos * q.theta_BCG.sin;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
+        - d.y_D_EDF * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
+    const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
+    const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
+    const Scalar BCG_per_across_slide_C = -q.s_F * inverse;
+    const Scalar EDF_per_across_slide_C = -BCG_along_slide_F * inverse;
+    const Scalar s_F_per_across_slide_C = -EDF_across_slide_F * EDF_per_across_slide_C
+        - BCG_across_slide_F * BCG_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = BCG_per_across_slide_C * BCG_across_slide_C
+        + EDF_per_across_slide_C * EDF_across_slide_C;
+    const Scalar BCG_per_across_slide_F = -EDF_along_slide_C * inverse;
+    const Scalar EDF_per_across_slide_F = q.s_C * inverse;
+    const Scalar s_F_per_across_slide_F = -EDF_across_slide_F * EDF_per_across_slide_F
+        - BCG_across_slide_F * BCG_per_across_slide_F;
+    const Scalar s_C_per_across_slide_F = BCG_across_slide_C * BCG_per_across_slide_F
+        + EDF_across_slide_C * EDF_per_across_slide_F;
+    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
+        + BCG_per_across_slide_F * q.theta_EDF.sin;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
+        + EDF_per_across_slide_F * q.theta_EDF.sin;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
+        + q.theta_EDF.sin * s_C_per_across_slide_F - q.theta_BCG.cos;
+    const Scalar s_F_per_x_B = q.theta_EDF.cos + q.theta_BCG.sin * s_F_per_across_slide_C
+        + q.theta_EDF.sin * s_F_per_across_slide_F;
+    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
+        - BCG_per_across_slide_F * q.theta_EDF.cos;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
+        - EDF_per_across_slide_F * q.theta_EDF.cos;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - q.theta_EDF.cos * s_C_per_across_slide_F;
+    const Scalar s_F_per_y_B = q.theta_EDF.sin - q.theta_BCG.cos * s_F_per_across_slide_C
+        - q.theta_EDF.cos * s_F_per_across_slide_F;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = BCG_per_across_slide_F * sin_EDF_minus_BCG;
+      S_d(0, 2) = -BCG_per_across_slide_F * cos_EDF_minus_BCG;
+      S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
+      S_d(0, 4) = BCG_per_across_slide_C * cos_EDF_minus_BCG;  S_d(0, 5) = BCG_per_across_slide_F;
+      S_d(0, 6) = BCG_per_across_slide_C;  S_d(0, 7) = -BCG_per_across_slide_F;
+      S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = EDF_per_across_slide_F * sin_EDF_minus_BCG;
+      S_d(1, 2) = -EDF_per_across_slide_F * cos_EDF_minus_BCG;
+      S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
+      S_d(1, 4) = EDF_per_across_slide_C * cos_EDF_minus_BCG;  S_d(1, 5) = EDF_per_across_slide_F;
+      S_d(1, 6) = EDF_per_across_slide_C;  S_d(1, 7) = -EDF_per_across_slide_F;
+      S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = sin_EDF_minus_BCG * s_C_per_across_slide_F;
+      S_d(2, 2) = -cos_EDF_minus_BCG * s_C_per_across_slide_F;
+      S_d(2, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
+      S_d(2, 4) = cos_EDF_minus_BCG * s_C_per_across_slide_C - sin_EDF_minus_BCG;
+      S_d(2, 5) = s_C_per_across_slide_F;  S_d(2, 6) = s_C_per_across_slide_C;
+      S_d(2, 7) = -s_C_per_across_slide_F;
+      S_d(3, 0) = -s_F_per_across_slide_C;
+      S_d(3, 1) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_F_per_across_slide_F;
+      S_d(3, 2) = sin_EDF_minus_BCG - cos_EDF_minus_BCG * s_F_per_across_slide_F;
+      S_d(3, 3) = sin_EDF_minus_BCG * s_F_per_across_slide_C;
+      S_d(3, 4) = cos_EDF_minus_BCG * s_F_per_across_slide_C;  S_d(3, 5) = s_F_per_across_slide_F;
+      S_d(3, 6) = s_F_per_across_slide_C;  S_d(3, 7) = -s_F_per_across_slide_F;
+      S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
+      S_u(0, 3) = -BCG_per_y_B;
+      S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
+      S_u(1, 3) = -EDF_per_y_B;
+      S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
+      S_u(2, 3) = -s_C_per_y_B;
+      S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = -s_F_per_x_B;
+      S_u(3, 3) = -s_F_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -242,93 +312,6 @@ struct Model03 {
     F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
     F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), v_s_C = q_rate(2), v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t01 = omega_EDF * omega_EDF, t02 = a_x_B - a_x_E, t03 = a_y_B - a_y_E;
-    const Scalar t04 = omega_BCG * omega_BCG;
-    rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C) - ED_x * t01 - t02;
-    rhs(1) = omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG
-        - Scalar(2) * q.theta_BCG.cos * v_s_C) - ED_y * t01 - t03;
-    rhs(2) = omega_EDF * ((GF_x - EF_x - slide_F_x) * omega_EDF
-        - Scalar(2) * q.theta_EDF.sin * v_s_F) + BG_x * t04 - t02;
-    rhs(3) = omega_EDF * ((GF_y - EF_y - slide_F_y) * omega_EDF
-        + Scalar(2) * q.theta_EDF.cos * v_s_F) + BG_y * t04 - t03;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), omega_EDF = q_rate(1);
-    const Scalar alpha_EDF = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t01 = BC_y + slide_C_y + CD_y, t02 = q.theta_BCG.cos * v_s_C;
-    const Scalar t03 = BC_x + slide_C_x + CD_x, t04 = q.theta_BCG.sin * v_s_C;
-    const Scalar t05 = omega_EDF * omega_EDF, t06 = j_x_B - j_x_E, t07 = j_y_B - j_y_E;
-    const Scalar t08 = GF_y - EF_y - slide_F_y, t09 = q.theta_EDF.cos * v_s_F;
-    const Scalar t10 = GF_x - EF_x - slide_F_x, t11 = q.theta_EDF.sin * v_s_F;
-    const Scalar t12 = omega_BCG * omega_BCG;
-    rhs(0) = Scalar(3) * alpha_BCG * t04 - omega_BCG * (omega_BCG * (t01 * omega_BCG
-        - Scalar(3) * t02) - Scalar(3) * t03 * alpha_BCG - Scalar(3) * q.theta_BCG.sin * a_s_C)
-        - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t05) - t06;
-    rhs(1) = omega_BCG * (omega_BCG * (t03 * omega_BCG + Scalar(3) * t04)
-        + Scalar(3) * t01 * alpha_BCG - Scalar(3) * q.theta_BCG.cos * a_s_C)
-        - Scalar(3) * t02 * alpha_BCG - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t05)
-        - t07;
-    rhs(2) = omega_BCG * (Scalar(3) * BG_x * alpha_BCG - BG_y * t12)
-        - omega_EDF * (omega_EDF * (t08 * omega_EDF + Scalar(3) * t09)
-        + Scalar(3) * q.theta_EDF.sin * a_s_F - Scalar(3) * t10 * alpha_EDF)
-        - Scalar(3) * alpha_EDF * t11 - t06;
-    rhs(3) = omega_EDF * (omega_EDF * (t10 * omega_EDF - Scalar(3) * t11)
-        + Scalar(3) * t08 * alpha_EDF + Scalar(3) * q.theta_EDF.cos * a_s_F)
-        + Scalar(3) * alpha_EDF * t09 + omega_BCG * (Scalar(3) * BG_y * alpha_BCG + BG_x * t12)
-        - t07;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -499,114 +482,6 @@ struct Model03 {
         - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - BG_y * omega_BCG);
   }
 
-  /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two per closure link. S is measured from the origin of the
-  /// link's frame, in the directions of the fixed frame.
-  template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-    lines.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
-    lines(0, 0) = -q.theta_BCG.cos;  lines(0, 1) = -q.theta_BCG.sin;
-    lines(0, 2) = (BC_x + slide_C_x + CD_x) * q.theta_BCG.cos + (BC_y + slide_C_y
-        + CD_y) * q.theta_BCG.sin;
-    lines(1, 0) = ED_y;  lines(1, 1) = -ED_x;
-    lines(2, 0) = -BG_y;  lines(2, 1) = BG_x;
-    lines(3, 0) = -q.theta_EDF.cos;  lines(3, 1) = -q.theta_EDF.sin;
-    lines(3, 2) = -(GF_x - EF_x - slide_F_x) * q.theta_EDF.cos - (GF_y - EF_y
-        - slide_F_y) * q.theta_EDF.sin;
-  }
-
-  /// The signed lengths L: on side i of its link a special point at S moves by
-  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
-  template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
-      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
-    const Scalar n_GF_EDF_y = n(3, 1);
-    L.setZero();
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
-    L(0, 0) = (BC_x + slide_C_x + CD_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + CD_y
-        + S_CD_y) * n_CD_BCG_x;
-    L(0, 2) = n_CD_BCG_x * q.theta_BCG.cos + n_CD_BCG_y * q.theta_BCG.sin;
-    L(1, 0) = S_CD_x * n_CD_EDF_y - S_CD_y * n_CD_EDF_x;
-    L(1, 1) = n_CD_EDF_y * ED_x - n_CD_EDF_x * ED_y;
-    L(2, 0) = BG_x * n_GF_BCG_y - BG_y * n_GF_BCG_x;
-    L(2, 1) = n_GF_BCG_y * S_GF_x - n_GF_BCG_x * S_GF_y;
-    L(3, 1) = (S_GF_x + EF_x + slide_F_x - GF_x) * n_GF_EDF_y - (S_GF_y + EF_y + slide_F_y
-        - GF_y) * n_GF_EDF_x;
-    L(3, 3) = n_GF_EDF_x * q.theta_EDF.cos + n_GF_EDF_y * q.theta_EDF.sin;
-  }
-
-  /// The velocity of each special point by each side, less what dq/dt adds.
-  template <typename Scalar>
-  static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;
-    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B;  v(2, 1) = v_y_B;
-    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
-  }
-
-  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
-  /// centripetal and Coriolis terms, and the second rates of the inputs.
-  template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>& u_second_rate,
-      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), v_s_C = q_rate(2), v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3), S_CD_x = S(0, 0), S_CD_y = S(0, 1), S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t01 = omega_BCG * omega_BCG, t02 = omega_EDF * omega_EDF;
-    a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + CD_x + S_CD_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    a(0, 1) = a_y_B - omega_BCG * ((BC_y + slide_C_y + CD_y + S_CD_y) * omega_BCG
-        - Scalar(2) * q.theta_BCG.cos * v_s_C);
-    a(1, 0) = a_x_E - S_CD_x * t01 - ED_x * t02;  a(1, 1) = a_y_E - S_CD_y * t01 - ED_y * t02;
-    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t02;  a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t02;
-    a(3, 0) = a_x_E - omega_EDF * ((S_GF_x + EF_x + slide_F_x - GF_x) * omega_EDF
-        + Scalar(2) * q.theta_EDF.sin * v_s_F);
-    a(3, 1) = a_y_E - omega_EDF * ((S_GF_y + EF_y + slide_F_y - GF_y) * omega_EDF
-        - Scalar(2) * q.theta_EDF.cos * v_s_F);
-  }
-
   /// The divisors p of the elimination, pivots of the core first; the size that each could
   /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = (-s_C s_F - EDF_along_slide_C BCG_along_slide_F)
@@ -678,119 +553,6 @@ struct Model03 {
     J_inverse(3, 3) = q.theta_EDF.cos * s_F_per_across_slide_F - q.theta_EDF.sin;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
-        + q.theta_BCG.sin * q.theta_EDF.sin;
-    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
-        - q.theta_EDF.cos * q.theta_BCG.sin;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
-    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
-    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
-        - d.y_D_EDF * cos_EDF_minus_BCG;
-    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
-    const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
-    const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar BCG_per_across_slide_C = -q.s_F * inverse;
-    const Scalar EDF_per_across_slide_C = -BCG_along_slide_F * inverse;
-    const Scalar s_F_per_across_slide_C = -EDF_across_slide_F * EDF_per_across_slide_C
-        - BCG_across_slide_F * BCG_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = BCG_per_across_slide_C * BCG_across_slide_C
-        + EDF_per_across_slide_C * EDF_across_slide_C;
-    const Scalar BCG_per_across_slide_F = -EDF_along_slide_C * inverse;
-    const Scalar EDF_per_across_slide_F = q.s_C * inverse;
-    const Scalar s_F_per_across_slide_F = -EDF_across_slide_F * EDF_per_across_slide_F
-        - BCG_across_slide_F * BCG_per_across_slide_F;
-    const Scalar s_C_per_across_slide_F = BCG_across_slide_C * BCG_per_across_slide_F
-        + EDF_across_slide_C * EDF_per_across_slide_F;
-    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
-        + BCG_per_across_slide_F * q.theta_EDF.sin;
-    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
-        + EDF_per_across_slide_F * q.theta_EDF.sin;
-    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
-        + q.theta_EDF.sin * s_C_per_across_slide_F - q.theta_BCG.cos;
-    const Scalar s_F_per_x_B = q.theta_EDF.cos + q.theta_BCG.sin * s_F_per_across_slide_C
-        + q.theta_EDF.sin * s_F_per_across_slide_F;
-    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
-        - BCG_per_across_slide_F * q.theta_EDF.cos;
-    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
-        - EDF_per_across_slide_F * q.theta_EDF.cos;
-    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
-        - q.theta_EDF.cos * s_C_per_across_slide_F;
-    const Scalar s_F_per_y_B = q.theta_EDF.sin - q.theta_BCG.cos * s_F_per_across_slide_C
-        - q.theta_EDF.cos * s_F_per_across_slide_F;
-    S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = BCG_per_across_slide_F * sin_EDF_minus_BCG;
-    S_d(0, 2) = -BCG_per_across_slide_F * cos_EDF_minus_BCG;
-    S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(0, 4) = BCG_per_across_slide_C * cos_EDF_minus_BCG;  S_d(0, 5) = BCG_per_across_slide_F;
-    S_d(0, 6) = BCG_per_across_slide_C;  S_d(0, 7) = -BCG_per_across_slide_F;
-    S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = EDF_per_across_slide_F * sin_EDF_minus_BCG;
-    S_d(1, 2) = -EDF_per_across_slide_F * cos_EDF_minus_BCG;
-    S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(1, 4) = EDF_per_across_slide_C * cos_EDF_minus_BCG;  S_d(1, 5) = EDF_per_across_slide_F;
-    S_d(1, 6) = EDF_per_across_slide_C;  S_d(1, 7) = -EDF_per_across_slide_F;
-    S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = sin_EDF_minus_BCG * s_C_per_across_slide_F;
-    S_d(2, 2) = -cos_EDF_minus_BCG * s_C_per_across_slide_F;
-    S_d(2, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
-    S_d(2, 4) = cos_EDF_minus_BCG * s_C_per_across_slide_C - sin_EDF_minus_BCG;
-    S_d(2, 5) = s_C_per_across_slide_F;  S_d(2, 6) = s_C_per_across_slide_C;
-    S_d(2, 7) = -s_C_per_across_slide_F;
-    S_d(3, 0) = -s_F_per_across_slide_C;
-    S_d(3, 1) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_F_per_across_slide_F;
-    S_d(3, 2) = sin_EDF_minus_BCG - cos_EDF_minus_BCG * s_F_per_across_slide_F;
-    S_d(3, 3) = sin_EDF_minus_BCG * s_F_per_across_slide_C;
-    S_d(3, 4) = cos_EDF_minus_BCG * s_F_per_across_slide_C;  S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = s_F_per_across_slide_C;  S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
-    S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
-    S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
-    S_u(2, 3) = -s_C_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = -s_F_per_x_B;
-    S_u(3, 3) = -s_F_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
-        + q.theta_BCG.sin * q.theta_EDF.sin;
-    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
-        - q.theta_EDF.cos * q.theta_BCG.sin;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
-    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
-    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
-        - d.y_D_EDF * cos_EDF_minus_BCG;
-    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
-    const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
-    const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
-    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
-    const Scalar velocity_along_slide_F = -q.theta_EDF.cos * t01 - q.theta_EDF.sin * t02;
-    const Scalar velocity_across_slide_F = q.theta_EDF.sin * t01 - q.theta_EDF.cos * t02;
-    const Scalar omega_BCG = -inverse * (q.s_F * velocity_across_slide_C
-        + EDF_along_slide_C * velocity_across_slide_F);
-    const Scalar omega_EDF = inverse * (q.s_C * velocity_across_slide_F
-        - BCG_along_slide_F * velocity_across_slide_C);
-    const Scalar v_s_F = -BCG_across_slide_F * omega_BCG - EDF_across_slide_F * omega_EDF
-        - velocity_along_slide_F;
-    const Scalar v_s_C = BCG_across_slide_C * omega_BCG + EDF_across_slide_C * omega_EDF
-        + velocity_along_slide_C;
-    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = v_s_C;  q_rate(3) = v_s_F;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -849,114 +611,54 @@ struct Model03 {
     q_second_rate(3) = a_s_F;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
-  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
     const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
-    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
-        + q.theta_BCG.sin * q.theta_EDF.sin;
-    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
-        - q.theta_EDF.cos * q.theta_BCG.sin;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
-    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_BCG - d.x_D_EDF * cos_EDF_minus_BCG;
-    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_BCG
-        - d.y_D_EDF * cos_EDF_minus_BCG;
-    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar BCG_along_slide_F = d.x_G_BCG * cos_EDF_minus_BCG + d.y_G_BCG * sin_EDF_minus_BCG;
-    const Scalar BCG_across_slide_F = d.y_G_BCG * cos_EDF_minus_BCG - d.x_G_BCG * sin_EDF_minus_BCG;
-    const Scalar determinant = -q.s_C * q.s_F - EDF_along_slide_C * BCG_along_slide_F;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar BCG_per_across_slide_C = -q.s_F * inverse;
-    const Scalar EDF_per_across_slide_C = -BCG_along_slide_F * inverse;
-    const Scalar s_F_per_across_slide_C = -EDF_across_slide_F * EDF_per_across_slide_C
-        - BCG_across_slide_F * BCG_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = BCG_per_across_slide_C * BCG_across_slide_C
-        + EDF_per_across_slide_C * EDF_across_slide_C;
-    const Scalar BCG_per_across_slide_F = -EDF_along_slide_C * inverse;
-    const Scalar EDF_per_across_slide_F = q.s_C * inverse;
-    const Scalar s_F_per_across_slide_F = -EDF_across_slide_F * EDF_per_across_slide_F
-        - BCG_across_slide_F * BCG_per_across_slide_F;
-    const Scalar s_C_per_across_slide_F = BCG_across_slide_C * BCG_per_across_slide_F
-        + EDF_across_slide_C * EDF_per_across_slide_F;
-    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
-        + BCG_per_across_slide_F * q.theta_EDF.sin;
-    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
-        + EDF_per_across_slide_F * q.theta_EDF.sin;
-    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
-        + q.theta_EDF.sin * s_C_per_across_slide_F - q.theta_BCG.cos;
-    const Scalar s_F_per_x_B = q.theta_EDF.cos + q.theta_BCG.sin * s_F_per_across_slide_C
-        + q.theta_EDF.sin * s_F_per_across_slide_F;
-    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
-        - BCG_per_across_slide_F * q.theta_EDF.cos;
-    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
-        - EDF_per_across_slide_F * q.theta_EDF.cos;
-    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
-        - q.theta_EDF.cos * s_C_per_across_slide_F;
-    const Scalar s_F_per_y_B = q.theta_EDF.sin - q.theta_BCG.cos * s_F_per_across_slide_C
-        - q.theta_EDF.cos * s_F_per_across_slide_F;
     const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    const Scalar omega_BCG = BCG_per_x_B * t01 + BCG_per_y_B * t02;
-    const Scalar omega_EDF = EDF_per_x_B * t01 + EDF_per_y_B * t02;
-    const Scalar v_s_C = s_C_per_x_B * t01 + s_C_per_y_B * t02;
-    const Scalar v_s_F = s_F_per_x_B * t01 + s_F_per_y_B * t02, t03 = omega_BCG * omega_BCG;
+    const Scalar omega_BCG = s.BCG_per_x_B * t01 + s.BCG_per_y_B * t02;
+    const Scalar omega_EDF = s.EDF_per_x_B * t01 + s.EDF_per_y_B * t02;
+    const Scalar v_s_C = s.s_C_per_x_B * t01 + s.s_C_per_y_B * t02;
+    const Scalar v_s_F = s.s_F_per_x_B * t01 + s.s_F_per_y_B * t02, t03 = omega_BCG * omega_BCG;
     const Scalar t04 = omega_EDF * omega_EDF;
-    const Scalar centripetal_along_slide_C = q.s_C * t03 + EDF_along_slide_C * t04;
-    const Scalar centripetal_across_slide_C = omega_BCG * (BCG_across_slide_C * omega_BCG
-        - Scalar(2) * v_s_C) + EDF_across_slide_C * t04;
-    const Scalar centripetal_along_slide_F = BCG_along_slide_F * t03 - q.s_F * t04;
-    const Scalar centripetal_across_slide_F = omega_EDF * (EDF_across_slide_F * omega_EDF
-        + Scalar(2) * v_s_F) + BCG_across_slide_F * t03;
+    const Scalar centripetal_along_slide_C = q.s_C * t03 + s.EDF_along_slide_C * t04;
+    const Scalar centripetal_across_slide_C = omega_BCG * (s.BCG_across_slide_C * omega_BCG
+        - Scalar(2) * v_s_C) + s.EDF_across_slide_C * t04;
+    const Scalar centripetal_along_slide_F = s.BCG_along_slide_F * t03 - q.s_F * t04;
+    const Scalar centripetal_across_slide_F = omega_EDF * (s.EDF_across_slide_F * omega_EDF
+        + Scalar(2) * v_s_F) + s.BCG_across_slide_F * t03;
     const Scalar t05 = a_x_B - a_x_E, t06 = a_y_B - a_y_E;
-    S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = BCG_per_across_slide_F * sin_EDF_minus_BCG;
-    S_d(0, 2) = -BCG_per_across_slide_F * cos_EDF_minus_BCG;
-    S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(0, 4) = BCG_per_across_slide_C * cos_EDF_minus_BCG;  S_d(0, 5) = BCG_per_across_slide_F;
-    S_d(0, 6) = BCG_per_across_slide_C;  S_d(0, 7) = -BCG_per_across_slide_F;
-    S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = EDF_per_across_slide_F * sin_EDF_minus_BCG;
-    S_d(1, 2) = -EDF_per_across_slide_F * cos_EDF_minus_BCG;
-    S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(1, 4) = EDF_per_across_slide_C * cos_EDF_minus_BCG;  S_d(1, 5) = EDF_per_across_slide_F;
-    S_d(1, 6) = EDF_per_across_slide_C;  S_d(1, 7) = -EDF_per_across_slide_F;
-    S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = sin_EDF_minus_BCG * s_C_per_across_slide_F;
-    S_d(2, 2) = -cos_EDF_minus_BCG * s_C_per_across_slide_F;
-    S_d(2, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
-    S_d(2, 4) = cos_EDF_minus_BCG * s_C_per_across_slide_C - sin_EDF_minus_BCG;
-    S_d(2, 5) = s_C_per_across_slide_F;  S_d(2, 6) = s_C_per_across_slide_C;
-    S_d(2, 7) = -s_C_per_across_slide_F;
-    S_d(3, 0) = -s_F_per_across_slide_C;
-    S_d(3, 1) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_F_per_across_slide_F;
-    S_d(3, 2) = sin_EDF_minus_BCG - cos_EDF_minus_BCG * s_F_per_across_slide_F;
-    S_d(3, 3) = sin_EDF_minus_BCG * s_F_per_across_slide_C;
-    S_d(3, 4) = cos_EDF_minus_BCG * s_F_per_across_slide_C;  S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = s_F_per_across_slide_C;  S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
-    S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
-    S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
-    S_u(2, 3) = -s_C_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = -s_F_per_x_B;
-    S_u(3, 3) = -s_F_per_y_B;
     q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = v_s_C;  q_rate(3) = v_s_F;
-    q_second_rate(0) = BCG_per_x_B * t05 + BCG_per_y_B * t06
-        + BCG_per_across_slide_C * centripetal_across_slide_C
-        + BCG_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(1) = EDF_per_x_B * t05 + EDF_per_y_B * t06
-        + EDF_per_across_slide_C * centripetal_across_slide_C
-        + EDF_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(2) = s_C_per_x_B * t05 + s_C_per_y_B * t06
-        + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
-    q_second_rate(3) = s_F_per_x_B * t05 + s_F_per_y_B * t06
-        + s_F_per_across_slide_C * centripetal_across_slide_C
-        + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
+    q_second_rate(0) = s.BCG_per_x_B * t05 + s.BCG_per_y_B * t06
+        + s.BCG_per_across_slide_C * centripetal_across_slide_C
+        + s.BCG_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(1) = s.EDF_per_x_B * t05 + s.EDF_per_y_B * t06
+        + s.EDF_per_across_slide_C * centripetal_across_slide_C
+        + s.EDF_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(2) = s.s_C_per_x_B * t05 + s.s_C_per_y_B * t06
+        + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
+    q_second_rate(3) = s.s_F_per_x_B * t05 + s.s_F_per_y_B * t06
+        + s.s_F_per_across_slide_C * centripetal_across_slide_C
+        + s.s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

@@ -27,34 +27,21 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   S_CD is moved by theta_BCG and s_C through BCG, and by theta_BCG and s_D through EDF
-///   S_GF is moved by theta_BCG and theta_GF through BCG, and by theta_BCG and theta_GF through EDF
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     22, 22, 0
 ///   jacobian:                     22, 14, 0
 ///   dimension_jacobian:           12, 6, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 2, 0
-///   acceleration_rhs:             40, 26, 0
-///   jerk_rhs:                     68, 38, 0
 ///   curvature_rhs:                82, 46, 0
 ///   link_poses:                   12, 10, 0
 ///   pose_jacobians:               8, 4, 0
 ///   link_velocities:              14, 10, 0
 ///   link_accelerations:           25, 16, 0
 ///   pose_curvatures:              32, 12, 0
-///   special_point_lines:          28, 13, 0
-///   special_point_lengths:        38, 24, 0
-///   special_point_velocities:     0, 0, 0
-///   special_point_accelerations:  48, 32, 0
 ///   degeneracies:                 16, 13, 0
 ///   inverse_jacobian:             51, 21, 1
-///   sensitivities:                81, 35, 1
-///   velocity:                     45, 26, 1
 ///   motion:                       71, 44, 1
+///   sensitivities:                81, 35, 1
 ///   sensitivities_and_motion:     118, 59, 1
 ///   position_polynomial:          19, 16, 0
 ///   complete:                     19, 16, 2
@@ -71,7 +58,7 @@ struct Model04 {
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = true;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -188,6 +175,97 @@ struct Model04 {
       {"RRP-RRP", { 0, 2, 1, 3, 5, 4 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
+    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
+        + q.theta_BCG.sin * q.theta_GF.sin;
+    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
+        - q.theta_BCG.cos * q.theta_GF.sin;
+    const Scalar cos_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * cos_EDF
+        + q.theta_GF.sin * sin_EDF;
+    const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
+        - q.theta_GF.sin * cos_EDF;
+    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
+    const Scalar BCG_along_slide_C = q.s_C - t01;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
+    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
+        + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
+        - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t02 = d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF
+        + d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF - t02;
+    const Scalar t03 = d.GF * d.psi_D_CD.sin, pivot_product = BCG_across_GF * t03;
+    // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_BCG_across_GF = -inverse * t03, t04 = BCG_across_GF * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.GF * t04, inverse_GF = t04 * d.psi_D_CD.sin;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_D_per_along_GF = -BCG_along_slide_C * inverse_BCG_across_GF *
+        inverse_sin_psi_D_CD;
+    const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
+        + inverse_BCG_across_GF * BCG_across_slide_C;
+    const Scalar GF_per_along_GF = -inverse_BCG_across_GF * BCG_along_GF * inverse_GF;
+    const Scalar BCG_per_x_B = -inverse_BCG_across_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C - q.theta_BCG.cos
+        - q.theta_GF.cos * s_C_per_along_GF;
+    const Scalar s_D_per_x_B = q.theta_BCG.sin * inverse_sin_psi_D_CD
+        - q.theta_GF.cos * s_D_per_along_GF;
+    const Scalar BCG_per_y_B = -inverse_BCG_across_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - q.theta_GF.sin * s_C_per_along_GF;
+    const Scalar s_D_per_y_B = -q.theta_BCG.cos * inverse_sin_psi_D_CD
+        - q.theta_GF.sin * s_D_per_along_GF;
+    const Scalar t08 = GF_per_along_GF * cos_psi_D_CD_plus_BCG_minus_GF
+        + inverse_GF * sin_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t09 = inverse_GF * cos_psi_D_CD_plus_BCG_minus_GF
+        - GF_per_along_GF * sin_psi_D_CD_plus_BCG_minus_GF;
+    const Scalar t10 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d.setZero();
+      S_d(0, 1) = -inverse_BCG_across_GF * cos_BCG_minus_GF;
+      S_d(0, 2) = inverse_BCG_across_GF * sin_BCG_minus_GF;
+      S_d(0, 4) = inverse_BCG_across_GF * cos_psi_D_CD_plus_BCG_minus_GF;
+      S_d(0, 5) = -inverse_BCG_across_GF * sin_psi_D_CD_plus_BCG_minus_GF;
+      S_d(0, 6) = -inverse_BCG_across_GF * t02;  S_d(0, 7) = -inverse_BCG_across_GF;
+      S_d(1, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
+      S_d(1, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
+      S_d(1, 4) = t08;  S_d(1, 5) = t09;  S_d(1, 6) = d.x_F_EDF * t09 - d.y_F_EDF * t08;
+      S_d(1, 7) = -GF_per_along_GF;
+      S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
+      S_d(2, 2) = sin_BCG_minus_GF * s_C_per_along_GF;  S_d(2, 3) = -t10;
+      S_d(2, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
+      S_d(2, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
+      S_d(2, 6) = -q.s_D * t10 - d.h_D_EDF * (d.psi_D_CD.cos
+          + d.psi_D_CD.sin * s_C_per_across_slide_C) - t02 * s_C_per_along_GF;
+      S_d(2, 7) = -s_C_per_along_GF;
+      S_d(3, 0) = -inverse_sin_psi_D_CD;  S_d(3, 1) = -cos_BCG_minus_GF * s_D_per_along_GF;
+      S_d(3, 2) = sin_BCG_minus_GF * s_D_per_along_GF;  S_d(3, 3) = s_C_per_across_slide_C;
+      S_d(3, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
+      S_d(3, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
+      S_d(3, 6) = t01 * inverse_sin_psi_D_CD - t02 * s_D_per_along_GF;
+      S_d(3, 7) = -s_D_per_along_GF;
+      S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
+      S_u(0, 3) = -BCG_per_y_B;
+      S_u(1, 0) = GF_per_x_B;  S_u(1, 1) = GF_per_y_B;  S_u(1, 2) = -GF_per_x_B;
+      S_u(1, 3) = -GF_per_y_B;
+      S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
+      S_u(2, 3) = -s_C_per_y_B;
+      S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = -s_D_per_x_B;
+      S_u(3, 3) = -s_D_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -259,87 +337,6 @@ struct Model04 {
     F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
     F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), omega_GF = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t01 = a_x_B - a_x_E;
-    const Scalar t02 = a_y_B - a_y_E, t03 = omega_BCG * omega_BCG, t04 = omega_GF * omega_GF;
-    rhs(0) = omega_BCG * ((BC_x + slide_C_x - ED_x - slide_D_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C - Scalar(2) * sin_EDF * v_s_D) - t01;
-    rhs(1) = omega_BCG * ((BC_y + slide_C_y - ED_y - slide_D_y) * omega_BCG
-        + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * q.theta_BCG.cos * v_s_C) - t02;
-    rhs(2) = (BG_x - EF_x) * t03 + GF_x * t04 - t01;
-    rhs(3) = (BG_y - EF_y) * t03 + GF_y * t04 - t02;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), omega_GF = q_rate(1);
-    const Scalar alpha_GF = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
-    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t01 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D, t02 = j_x_B - j_x_E;
-    const Scalar t03 = BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t04 = BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t05 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D, t06 = j_y_B - j_y_E;
-    const Scalar t07 = BG_x - EF_x, t08 = BG_y - EF_y, t09 = omega_BCG * omega_BCG;
-    const Scalar t10 = omega_GF * omega_GF;
-    rhs(0) = Scalar(3) * alpha_BCG * t01 + omega_BCG * (Scalar(3) * t03 * alpha_BCG
-        + Scalar(3) * q.theta_BCG.sin * a_s_C - Scalar(3) * sin_EDF * a_s_D
-        - omega_BCG * (t04 * omega_BCG - Scalar(3) * t05)) - t02;
-    rhs(1) = omega_BCG * (Scalar(3) * t04 * alpha_BCG + Scalar(3) * cos_EDF * a_s_D
-        + omega_BCG * (Scalar(3) * t01 + t03 * omega_BCG) - Scalar(3) * q.theta_BCG.cos * a_s_C)
-        - Scalar(3) * t05 * alpha_BCG - t06;
-    rhs(2) = omega_BCG * (Scalar(3) * t07 * alpha_BCG - t08 * t09)
-        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t10) - t02;
-    rhs(3) = omega_BCG * (Scalar(3) * t08 * alpha_BCG + t07 * t09)
-        + omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t10) - t06;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -509,114 +506,6 @@ struct Model04 {
         - Scalar(2) * q.theta_BCG.sin * v_y_G_BCG - BG_y * omega_BCG);
   }
 
-  /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two per closure link. S is measured from the origin of the
-  /// link's frame, in the directions of the fixed frame.
-  template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-    lines.setZero();
-    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    lines(0, 0) = -q.theta_BCG.cos;  lines(0, 1) = -q.theta_BCG.sin;
-    lines(0, 2) = (BC_x + slide_C_x) * q.theta_BCG.cos + (BC_y + slide_C_y) * q.theta_BCG.sin;
-    lines(1, 0) = -cos_EDF;  lines(1, 1) = -sin_EDF;
-    lines(1, 2) = (ED_x + slide_D_x) * cos_EDF + (ED_y + slide_D_y) * sin_EDF;
-    lines(2, 0) = -BG_y;  lines(2, 1) = BG_x;
-    lines(3, 0) = -EF_y;  lines(3, 1) = EF_x;  lines(3, 2) = EF_x * GF_y - EF_y * GF_x;
-  }
-
-  /// The signed lengths L: on side i of its link a special point at S moves by
-  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
-  template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
-      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
-    const Scalar n_GF_EDF_y = n(3, 1);
-    L.setZero();
-    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    L(0, 0) = (BC_x + slide_C_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + S_CD_y) * n_CD_BCG_x;
-    L(0, 2) = n_CD_BCG_x * q.theta_BCG.cos + n_CD_BCG_y * q.theta_BCG.sin;
-    L(1, 0) = (S_CD_x + ED_x + slide_D_x) * n_CD_EDF_y - (S_CD_y + ED_y + slide_D_y) * n_CD_EDF_x;
-    L(1, 3) = n_CD_EDF_x * cos_EDF + n_CD_EDF_y * sin_EDF;
-    L(2, 0) = BG_x * n_GF_BCG_y - BG_y * n_GF_BCG_x;
-    L(2, 1) = n_GF_BCG_y * S_GF_x - n_GF_BCG_x * S_GF_y;
-    L(3, 0) = EF_x * n_GF_EDF_y - EF_y * n_GF_EDF_x;
-    L(3, 1) = n_GF_EDF_y * (S_GF_x - GF_x) - n_GF_EDF_x * (S_GF_y - GF_y);
-  }
-
-  /// The velocity of each special point by each side, less what dq/dt adds.
-  template <typename Scalar>
-  static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;
-    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B;  v(2, 1) = v_y_B;
-    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
-  }
-
-  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
-  /// centripetal and Coriolis terms, and the second rates of the inputs.
-  template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>& u_second_rate,
-      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_BCG = q_rate(0), omega_GF = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3), S_CD_x = S(0, 0), S_CD_y = S(0, 1), S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = d.x_G_BCG * q.theta_BCG.cos - d.y_G_BCG * q.theta_BCG.sin;
-    const Scalar BG_y = d.y_G_BCG * q.theta_BCG.cos + d.x_G_BCG * q.theta_BCG.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t01 = omega_BCG * omega_BCG;
-    const Scalar t02 = omega_GF * omega_GF;
-    a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + S_CD_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    a(0, 1) = a_y_B - omega_BCG * ((BC_y + slide_C_y + S_CD_y) * omega_BCG
-        - Scalar(2) * q.theta_BCG.cos * v_s_C);
-    a(1, 0) = a_x_E - omega_BCG * ((S_CD_x + ED_x + slide_D_x) * omega_BCG
-        + Scalar(2) * sin_EDF * v_s_D);
-    a(1, 1) = a_y_E - omega_BCG * ((S_CD_y + ED_y + slide_D_y) * omega_BCG
-        - Scalar(2) * cos_EDF * v_s_D);
-    a(2, 0) = a_x_B - BG_x * t01 - S_GF_x * t02;  a(2, 1) = a_y_B - BG_y * t01 - S_GF_y * t02;
-    a(3, 0) = a_x_E - EF_x * t01 - (S_GF_x - GF_x) * t02;
-    a(3, 1) = a_y_E - EF_y * t01 - (S_GF_y - GF_y) * t02;
-  }
-
   /// The divisors p of the elimination, pivots of the core first; the size that each could
   /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = BCG_across_GF sin(psi_D_CD) GF
@@ -692,134 +581,6 @@ struct Model04 {
     J_inverse(3, 3) = q.theta_GF.sin * s_D_per_along_GF;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    S_d.setZero();
-    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
-        + q.theta_BCG.sin * q.theta_GF.sin;
-    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
-        - q.theta_BCG.cos * q.theta_GF.sin;
-    const Scalar cos_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * cos_EDF
-        + q.theta_GF.sin * sin_EDF;
-    const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
-        - q.theta_GF.sin * cos_EDF;
-    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
-    const Scalar BCG_along_slide_C = q.s_C - t01;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
-        - d.h_D_EDF * d.psi_D_CD.cos;
-    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
-        + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
-        - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar t02 = d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF
-        + d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF - t02;
-    const Scalar t03 = d.GF * d.psi_D_CD.sin, pivot_product = BCG_across_GF * t03;
-    // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_BCG_across_GF = -inverse * t03, t04 = BCG_across_GF * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.GF * t04, inverse_GF = t04 * d.psi_D_CD.sin;
-    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_D_per_along_GF = -BCG_along_slide_C * inverse_BCG_across_GF *
-        inverse_sin_psi_D_CD;
-    const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
-        + inverse_BCG_across_GF * BCG_across_slide_C;
-    const Scalar GF_per_along_GF = -inverse_BCG_across_GF * BCG_along_GF * inverse_GF;
-    const Scalar BCG_per_x_B = -inverse_BCG_across_GF * q.theta_GF.cos;
-    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_GF * q.theta_GF.cos;
-    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C - q.theta_BCG.cos
-        - q.theta_GF.cos * s_C_per_along_GF;
-    const Scalar s_D_per_x_B = q.theta_BCG.sin * inverse_sin_psi_D_CD
-        - q.theta_GF.cos * s_D_per_along_GF;
-    const Scalar BCG_per_y_B = -inverse_BCG_across_GF * q.theta_GF.sin;
-    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin;
-    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
-        - q.theta_GF.sin * s_C_per_along_GF;
-    const Scalar s_D_per_y_B = -q.theta_BCG.cos * inverse_sin_psi_D_CD
-        - q.theta_GF.sin * s_D_per_along_GF;
-    const Scalar t05 = GF_per_along_GF * cos_psi_D_CD_plus_BCG_minus_GF
-        + inverse_GF * sin_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar t06 = inverse_GF * cos_psi_D_CD_plus_BCG_minus_GF
-        - GF_per_along_GF * sin_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar t07 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    S_d(0, 1) = -inverse_BCG_across_GF * cos_BCG_minus_GF;
-    S_d(0, 2) = inverse_BCG_across_GF * sin_BCG_minus_GF;
-    S_d(0, 4) = inverse_BCG_across_GF * cos_psi_D_CD_plus_BCG_minus_GF;
-    S_d(0, 5) = -inverse_BCG_across_GF * sin_psi_D_CD_plus_BCG_minus_GF;
-    S_d(0, 6) = -inverse_BCG_across_GF * t02;  S_d(0, 7) = -inverse_BCG_across_GF;
-    S_d(1, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
-    S_d(1, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
-    S_d(1, 4) = t05;  S_d(1, 5) = t06;  S_d(1, 6) = d.x_F_EDF * t06 - d.y_F_EDF * t05;
-    S_d(1, 7) = -GF_per_along_GF;
-    S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 2) = sin_BCG_minus_GF * s_C_per_along_GF;  S_d(2, 3) = -t07;
-    S_d(2, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 6) = -q.s_D * t07 - d.h_D_EDF * (d.psi_D_CD.cos
-        + d.psi_D_CD.sin * s_C_per_across_slide_C) - t02 * s_C_per_along_GF;
-    S_d(2, 7) = -s_C_per_along_GF;
-    S_d(3, 0) = -inverse_sin_psi_D_CD;  S_d(3, 1) = -cos_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 2) = sin_BCG_minus_GF * s_D_per_along_GF;  S_d(3, 3) = s_C_per_across_slide_C;
-    S_d(3, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = t01 * inverse_sin_psi_D_CD - t02 * s_D_per_along_GF;  S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
-    S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = GF_per_x_B;  S_u(1, 1) = GF_per_y_B;  S_u(1, 2) = -GF_per_x_B;
-    S_u(1, 3) = -GF_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
-    S_u(2, 3) = -s_C_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = -s_D_per_x_B;
-    S_u(3, 3) = -s_D_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
-        + q.theta_BCG.sin * q.theta_GF.sin;
-    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
-        - q.theta_BCG.cos * q.theta_GF.sin;
-    const Scalar cos_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * cos_EDF
-        + q.theta_GF.sin * sin_EDF;
-    const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
-        - q.theta_GF.sin * cos_EDF;
-    const Scalar BCG_along_slide_C = q.s_C + d.h_D_EDF * d.psi_D_CD.sin - q.s_D * d.psi_D_CD.cos;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
-        - d.h_D_EDF * d.psi_D_CD.cos;
-    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
-        + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
-        - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF
-        - d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar t01 = d.GF * d.psi_D_CD.sin, pivot_product = BCG_across_GF * t01;
-    // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_BCG_across_GF = -inverse * t01, t02 = BCG_across_GF * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.GF * t02, inverse_GF = t02 * d.psi_D_CD.sin;
-    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t03 - q.theta_BCG.sin * t04;
-    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t03 - q.theta_BCG.cos * t04;
-    const Scalar velocity_along_GF = -q.theta_GF.cos * t03 - q.theta_GF.sin * t04;
-    const Scalar velocity_across_GF = q.theta_GF.sin * t03 - q.theta_GF.cos * t04;
-    const Scalar omega_BCG = inverse_BCG_across_GF * velocity_along_GF;
-    const Scalar v_s_D = -inverse_sin_psi_D_CD * (BCG_along_slide_C * omega_BCG
-        - velocity_across_slide_C);
-    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + BCG_across_slide_C * omega_BCG
-        + velocity_along_slide_C;
-    const Scalar omega_GF = -inverse_GF * (BCG_along_GF * omega_BCG - velocity_across_GF);
-    q_rate(0) = omega_BCG;  q_rate(1) = omega_GF;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -884,119 +645,52 @@ struct Model04 {
     q_second_rate(3) = a_s_D;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
-  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
     const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
-    S_d.setZero();
-    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar cos_BCG_minus_GF = q.theta_BCG.cos * q.theta_GF.cos
-        + q.theta_BCG.sin * q.theta_GF.sin;
-    const Scalar sin_BCG_minus_GF = q.theta_BCG.sin * q.theta_GF.cos
-        - q.theta_BCG.cos * q.theta_GF.sin;
-    const Scalar cos_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * cos_EDF
-        + q.theta_GF.sin * sin_EDF;
-    const Scalar sin_psi_D_CD_plus_BCG_minus_GF = q.theta_GF.cos * sin_EDF
-        - q.theta_GF.sin * cos_EDF;
-    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
-    const Scalar BCG_along_slide_C = q.s_C - t01;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
-        - d.h_D_EDF * d.psi_D_CD.cos;
-    const Scalar BCG_along_GF = d.x_G_BCG * cos_BCG_minus_GF
-        + d.y_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF - d.y_G_BCG * sin_BCG_minus_GF
-        - d.x_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar t02 = d.x_F_EDF * sin_psi_D_CD_plus_BCG_minus_GF
-        + d.y_F_EDF * cos_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar BCG_across_GF = d.x_G_BCG * sin_BCG_minus_GF + d.y_G_BCG * cos_BCG_minus_GF - t02;
-    const Scalar t03 = d.GF * d.psi_D_CD.sin, pivot_product = BCG_across_GF * t03;
-    // A zero divisor means BCG_across_GF = 0, or sin(psi_D_CD) = 0, or GF = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_BCG_across_GF = -inverse * t03, t04 = BCG_across_GF * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.GF * t04, inverse_GF = t04 * d.psi_D_CD.sin;
-    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_D_per_along_GF = -BCG_along_slide_C * inverse_BCG_across_GF *
-        inverse_sin_psi_D_CD;
-    const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
-        + inverse_BCG_across_GF * BCG_across_slide_C;
-    const Scalar GF_per_along_GF = -inverse_BCG_across_GF * BCG_along_GF * inverse_GF;
-    const Scalar BCG_per_x_B = -inverse_BCG_across_GF * q.theta_GF.cos;
-    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_GF * q.theta_GF.cos;
-    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C - q.theta_BCG.cos
-        - q.theta_GF.cos * s_C_per_along_GF;
-    const Scalar s_D_per_x_B = q.theta_BCG.sin * inverse_sin_psi_D_CD
-        - q.theta_GF.cos * s_D_per_along_GF;
-    const Scalar BCG_per_y_B = -inverse_BCG_across_GF * q.theta_GF.sin;
-    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin;
-    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
-        - q.theta_GF.sin * s_C_per_along_GF;
-    const Scalar s_D_per_y_B = -q.theta_BCG.cos * inverse_sin_psi_D_CD
-        - q.theta_GF.sin * s_D_per_along_GF;
     const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E;
-    const Scalar omega_BCG = BCG_per_x_B * t05 + BCG_per_y_B * t06;
-    const Scalar omega_GF = GF_per_x_B * t05 + GF_per_y_B * t06;
-    const Scalar v_s_C = s_C_per_x_B * t05 + s_C_per_y_B * t06;
-    const Scalar v_s_D = s_D_per_x_B * t05 + s_D_per_y_B * t06;
+    const Scalar omega_BCG = s.BCG_per_x_B * t05 + s.BCG_per_y_B * t06;
+    const Scalar omega_GF = s.GF_per_x_B * t05 + s.GF_per_y_B * t06;
+    const Scalar v_s_C = s.s_C_per_x_B * t05 + s.s_C_per_y_B * t06;
+    const Scalar v_s_D = s.s_D_per_x_B * t05 + s.s_D_per_y_B * t06;
     const Scalar centripetal_along_slide_C = -omega_BCG * (Scalar(2) * d.psi_D_CD.sin * v_s_D
-        - BCG_along_slide_C * omega_BCG);
+        - s.BCG_along_slide_C * omega_BCG);
     const Scalar centripetal_across_slide_C = omega_BCG * (Scalar(2) * d.psi_D_CD.cos * v_s_D
-        + BCG_across_slide_C * omega_BCG - Scalar(2) * v_s_C);
+        + s.BCG_across_slide_C * omega_BCG - Scalar(2) * v_s_C);
     const Scalar t07 = omega_BCG * omega_BCG;
-    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + BCG_along_GF * t07;
-    const Scalar centripetal_across_GF = BCG_across_GF * t07;
-    const Scalar t08 = GF_per_along_GF * cos_psi_D_CD_plus_BCG_minus_GF
-        + inverse_GF * sin_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar t09 = inverse_GF * cos_psi_D_CD_plus_BCG_minus_GF
-        - GF_per_along_GF * sin_psi_D_CD_plus_BCG_minus_GF;
-    const Scalar t10 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t11 = a_x_B - a_x_E, t12 = a_y_B - a_y_E;
-    S_d(0, 1) = -inverse_BCG_across_GF * cos_BCG_minus_GF;
-    S_d(0, 2) = inverse_BCG_across_GF * sin_BCG_minus_GF;
-    S_d(0, 4) = inverse_BCG_across_GF * cos_psi_D_CD_plus_BCG_minus_GF;
-    S_d(0, 5) = -inverse_BCG_across_GF * sin_psi_D_CD_plus_BCG_minus_GF;
-    S_d(0, 6) = -inverse_BCG_across_GF * t02;  S_d(0, 7) = -inverse_BCG_across_GF;
-    S_d(1, 1) = -GF_per_along_GF * cos_BCG_minus_GF - inverse_GF * sin_BCG_minus_GF;
-    S_d(1, 2) = GF_per_along_GF * sin_BCG_minus_GF - inverse_GF * cos_BCG_minus_GF;
-    S_d(1, 4) = t08;  S_d(1, 5) = t09;  S_d(1, 6) = d.x_F_EDF * t09 - d.y_F_EDF * t08;
-    S_d(1, 7) = -GF_per_along_GF;
-    S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = -cos_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 2) = sin_BCG_minus_GF * s_C_per_along_GF;  S_d(2, 3) = -t10;
-    S_d(2, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_C_per_along_GF;
-    S_d(2, 6) = -q.s_D * t10 - d.h_D_EDF * (d.psi_D_CD.cos
-        + d.psi_D_CD.sin * s_C_per_across_slide_C) - t02 * s_C_per_along_GF;
-    S_d(2, 7) = -s_C_per_along_GF;
-    S_d(3, 0) = -inverse_sin_psi_D_CD;  S_d(3, 1) = -cos_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 2) = sin_BCG_minus_GF * s_D_per_along_GF;  S_d(3, 3) = s_C_per_across_slide_C;
-    S_d(3, 4) = cos_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 5) = -sin_psi_D_CD_plus_BCG_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = t01 * inverse_sin_psi_D_CD - t02 * s_D_per_along_GF;  S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
-    S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = GF_per_x_B;  S_u(1, 1) = GF_per_y_B;  S_u(1, 2) = -GF_per_x_B;
-    S_u(1, 3) = -GF_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
-    S_u(2, 3) = -s_C_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = -s_D_per_x_B;
-    S_u(3, 3) = -s_D_per_y_B;
+    const Scalar centripetal_along_GF = d.GF * omega_GF * omega_GF + s.BCG_along_GF * t07;
+    const Scalar centripetal_across_GF = s.BCG_across_GF * t07, t11 = a_x_B - a_x_E;
+    const Scalar t12 = a_y_B - a_y_E;
     q_rate(0) = omega_BCG;  q_rate(1) = omega_GF;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
-    q_second_rate(0) = BCG_per_x_B * t11 + BCG_per_y_B * t12
-        + inverse_BCG_across_GF * centripetal_along_GF;
-    q_second_rate(1) = GF_per_x_B * t11 + GF_per_y_B * t12 + inverse_GF * centripetal_across_GF
-        + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = s_C_per_x_B * t11 + s_C_per_y_B * t12
-        + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
-    q_second_rate(3) = s_D_per_x_B * t11 + s_D_per_y_B * t12
-        + inverse_sin_psi_D_CD * centripetal_across_slide_C
-        + s_D_per_along_GF * centripetal_along_GF;
+    q_second_rate(0) = s.BCG_per_x_B * t11 + s.BCG_per_y_B * t12
+        + s.inverse_BCG_across_GF * centripetal_along_GF;
+    q_second_rate(1) = s.GF_per_x_B * t11 + s.GF_per_y_B * t12
+        + s.inverse_GF * centripetal_across_GF + s.GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = s.s_C_per_x_B * t11 + s.s_C_per_y_B * t12
+        + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
+    q_second_rate(3) = s.s_D_per_x_B * t11 + s.s_D_per_y_B * t12
+        + s.inverse_sin_psi_D_CD * centripetal_across_slide_C
+        + s.s_D_per_along_GF * centripetal_along_GF;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

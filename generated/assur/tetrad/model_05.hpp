@@ -28,34 +28,21 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   S_CD is moved by theta_BCG and s_C through BCG, and by theta_BCG and theta_EDF through EDF
-///   S_GF is moved by theta_BCG and s_G through BCG, and by theta_BCG and theta_EDF through EDF
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     22, 22, 0
 ///   jacobian:                     22, 12, 0
 ///   dimension_jacobian:           10, 6, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 2, 0
-///   acceleration_rhs:             43, 26, 0
-///   jerk_rhs:                     83, 42, 0
 ///   curvature_rhs:                72, 38, 0
 ///   link_poses:                   16, 14, 0
 ///   pose_jacobians:               16, 10, 0
 ///   link_velocities:              24, 18, 0
 ///   link_accelerations:           40, 26, 0
 ///   pose_curvatures:              46, 26, 0
-///   special_point_lines:          26, 14, 0
-///   special_point_lengths:        38, 24, 0
-///   special_point_velocities:     0, 0, 0
-///   special_point_accelerations:  48, 32, 0
 ///   degeneracies:                 23, 18, 0
 ///   inverse_jacobian:             48, 19, 1
-///   sensitivities:                64, 31, 1
-///   velocity:                     38, 23, 1
 ///   motion:                       68, 45, 1
+///   sensitivities:                64, 31, 1
 ///   sensitivities_and_motion:     102, 59, 1
 ///   position_polynomial:          42, 29, 0
 ///   second_equations:             24, 14, 0
@@ -73,7 +60,7 @@ struct Model05 {
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = true;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 4;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -178,6 +165,98 @@ struct Model05 {
       {"RRR-RPP", { 3, 4, 5, 0, 1, 2 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
+        + q.theta_BCG.sin * q.theta_EDF.sin;
+    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
+        - q.theta_BCG.sin * q.theta_EDF.cos;
+    const Scalar cos_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
+    const Scalar BCG_across_slide_G = d.h_G_BCG - d.h_G_GF;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
+    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
+        - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
+    const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
+    const Scalar BCG_per_across_slide_C = EDF_along_slide_G * inverse;
+    const Scalar EDF_per_across_slide_C = -q.s_G * inverse;
+    const Scalar s_G_per_across_slide_C = BCG_across_slide_G * BCG_per_across_slide_C
+        + EDF_across_slide_G * EDF_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = BCG_per_across_slide_C * BCG_across_slide_C
+        + EDF_per_across_slide_C * EDF_across_slide_C;
+    const Scalar BCG_per_across_slide_G = -EDF_along_slide_C * inverse;
+    const Scalar EDF_per_across_slide_G = q.s_C * inverse;
+    const Scalar s_G_per_across_slide_G = BCG_across_slide_G * BCG_per_across_slide_G
+        + EDF_across_slide_G * EDF_per_across_slide_G;
+    const Scalar s_C_per_across_slide_G = BCG_across_slide_C * BCG_per_across_slide_G
+        + EDF_across_slide_C * EDF_per_across_slide_G;
+    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
+        + BCG_per_across_slide_G * sin_GF;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
+        + EDF_per_across_slide_G * sin_GF;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
+        + sin_GF * s_C_per_across_slide_G - q.theta_BCG.cos;
+    const Scalar s_G_per_x_B = q.theta_BCG.sin * s_G_per_across_slide_C
+        + sin_GF * s_G_per_across_slide_G - cos_GF;
+    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
+        - BCG_per_across_slide_G * cos_GF;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
+        - EDF_per_across_slide_G * cos_GF;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - cos_GF * s_C_per_across_slide_G;
+    const Scalar s_G_per_y_B = -sin_GF - q.theta_BCG.cos * s_G_per_across_slide_C
+        - cos_GF * s_G_per_across_slide_G;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = -q.s_G * BCG_per_across_slide_G;
+      S_d(0, 2) = -BCG_per_across_slide_G;  S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
+      S_d(0, 4) = BCG_per_across_slide_G * sin_EDF_minus_psi_G_BCG_minus_BCG;
+      S_d(0, 5) = BCG_per_across_slide_G * cos_EDF_minus_psi_G_BCG_minus_BCG;
+      S_d(0, 6) = BCG_per_across_slide_C;  S_d(0, 7) = BCG_per_across_slide_G;
+      S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = -q.s_G * EDF_per_across_slide_G;
+      S_d(1, 2) = -EDF_per_across_slide_G;  S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
+      S_d(1, 4) = EDF_per_across_slide_G * sin_EDF_minus_psi_G_BCG_minus_BCG;
+      S_d(1, 5) = EDF_per_across_slide_G * cos_EDF_minus_psi_G_BCG_minus_BCG;
+      S_d(1, 6) = EDF_per_across_slide_C;  S_d(1, 7) = EDF_per_across_slide_G;
+      S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;
+      S_d(2, 2) = -s_C_per_across_slide_G;
+      S_d(2, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
+      S_d(2, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * s_C_per_across_slide_G;
+      S_d(2, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * s_C_per_across_slide_G;
+      S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = s_C_per_across_slide_G;
+      S_d(3, 0) = -s_G_per_across_slide_C;
+      S_d(3, 1) = BCG_across_slide_G - q.s_G * s_G_per_across_slide_G;
+      S_d(3, 2) = -s_G_per_across_slide_G;  S_d(3, 3) = sin_EDF_minus_BCG * s_G_per_across_slide_C;
+      S_d(3, 4) = cos_EDF_minus_psi_G_BCG_minus_BCG
+          + sin_EDF_minus_psi_G_BCG_minus_BCG * s_G_per_across_slide_G;
+      S_d(3, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * s_G_per_across_slide_G
+          - sin_EDF_minus_psi_G_BCG_minus_BCG;
+      S_d(3, 6) = s_G_per_across_slide_C;  S_d(3, 7) = s_G_per_across_slide_G;
+      S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
+      S_u(0, 3) = -BCG_per_y_B;
+      S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
+      S_u(1, 3) = -EDF_per_y_B;
+      S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
+      S_u(2, 3) = -s_C_per_y_B;
+      S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = -s_G_per_x_B;
+      S_u(3, 3) = -s_G_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -244,90 +323,6 @@ struct Model05 {
     F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
     F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), v_s_C = q_rate(2), v_s_G = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = omega_EDF * omega_EDF, t02 = a_x_B - a_x_E, t03 = a_y_B - a_y_E;
-    rhs(0) = omega_BCG * ((BC_x + slide_C_x + CD_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C) - ED_x * t01 - t02;
-    rhs(1) = omega_BCG * ((BC_y + slide_C_y + CD_y) * omega_BCG
-        - Scalar(2) * q.theta_BCG.cos * v_s_C) - ED_y * t01 - t03;
-    rhs(2) = omega_BCG * ((BG_x + slide_G_x + GF_x) * omega_BCG + Scalar(2) * sin_GF * v_s_G)
-        - EF_x * t01 - t02;
-    rhs(3) = omega_BCG * ((BG_y + slide_G_y + GF_y) * omega_BCG - Scalar(2) * cos_GF * v_s_G)
-        - EF_y * t01 - t03;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), omega_EDF = q_rate(1);
-    const Scalar alpha_EDF = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
-    const Scalar v_s_G = q_rate(3), a_s_G = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = BC_y + slide_C_y + CD_y, t02 = q.theta_BCG.cos * v_s_C;
-    const Scalar t03 = BC_x + slide_C_x + CD_x, t04 = omega_EDF * omega_EDF;
-    const Scalar t05 = q.theta_BCG.sin * v_s_C, t06 = j_x_B - j_x_E, t07 = j_y_B - j_y_E;
-    const Scalar t08 = BG_y + slide_G_y + GF_y, t09 = cos_GF * v_s_G, t10 = BG_x + slide_G_x + GF_x;
-    const Scalar t11 = sin_GF * v_s_G;
-    rhs(0) = Scalar(3) * alpha_BCG * t05 - omega_BCG * (omega_BCG * (t01 * omega_BCG
-        - Scalar(3) * t02) - Scalar(3) * t03 * alpha_BCG - Scalar(3) * q.theta_BCG.sin * a_s_C)
-        - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t04) - t06;
-    rhs(1) = omega_BCG * (omega_BCG * (t03 * omega_BCG + Scalar(3) * t05)
-        + Scalar(3) * t01 * alpha_BCG - Scalar(3) * q.theta_BCG.cos * a_s_C)
-        - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t04) - Scalar(3) * t02 * alpha_BCG
-        - t07;
-    rhs(2) = Scalar(3) * alpha_BCG * t11 - omega_BCG * (omega_BCG * (t08 * omega_BCG
-        - Scalar(3) * t09) - Scalar(3) * t10 * alpha_BCG - Scalar(3) * sin_GF * a_s_G)
-        - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t04) - t06;
-    rhs(3) = omega_BCG * (omega_BCG * (t10 * omega_BCG + Scalar(3) * t11)
-        + Scalar(3) * t08 * alpha_BCG - Scalar(3) * cos_GF * a_s_G)
-        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t04) - Scalar(3) * alpha_BCG * t09
-        - t07;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -518,113 +513,6 @@ struct Model05 {
         - omega_G_BCG * (t07 + Scalar(2) * t08);
   }
 
-  /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two per closure link. S is measured from the origin of the
-  /// link's frame, in the directions of the fixed frame.
-  template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-    lines.setZero();
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    lines(0, 0) = -q.theta_BCG.cos;  lines(0, 1) = -q.theta_BCG.sin;
-    lines(0, 2) = (BC_x + slide_C_x + CD_x) * q.theta_BCG.cos + (BC_y + slide_C_y
-        + CD_y) * q.theta_BCG.sin;
-    lines(1, 0) = ED_y;  lines(1, 1) = -ED_x;
-    lines(2, 0) = -cos_GF;  lines(2, 1) = -sin_GF;
-    lines(2, 2) = (BG_x + slide_G_x + GF_x) * cos_GF + (BG_y + slide_G_y + GF_y) * sin_GF;
-    lines(3, 0) = EF_y;  lines(3, 1) = -EF_x;
-  }
-
-  /// The signed lengths L: on side i of its link a special point at S moves by
-  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
-  template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
-      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
-    const Scalar n_GF_EDF_y = n(3, 1);
-    L.setZero();
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    L(0, 0) = (BC_x + slide_C_x + CD_x + S_CD_x) * n_CD_BCG_y - (BC_y + slide_C_y + CD_y
-        + S_CD_y) * n_CD_BCG_x;
-    L(0, 2) = n_CD_BCG_x * q.theta_BCG.cos + n_CD_BCG_y * q.theta_BCG.sin;
-    L(1, 0) = S_CD_x * n_CD_EDF_y - S_CD_y * n_CD_EDF_x;
-    L(1, 1) = n_CD_EDF_y * ED_x - n_CD_EDF_x * ED_y;
-    L(2, 0) = (BG_x + slide_G_x + GF_x + S_GF_x) * n_GF_BCG_y - (BG_y + slide_G_y + GF_y
-        + S_GF_y) * n_GF_BCG_x;
-    L(2, 3) = n_GF_BCG_x * cos_GF + n_GF_BCG_y * sin_GF;
-    L(3, 0) = S_GF_x * n_GF_EDF_y - S_GF_y * n_GF_EDF_x;
-    L(3, 1) = n_GF_EDF_y * EF_x - n_GF_EDF_x * EF_y;
-  }
-
-  /// The velocity of each special point by each side, less what dq/dt adds.
-  template <typename Scalar>
-  static void special_point_velocities(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    v(0, 0) = v_x_B;  v(0, 1) = v_y_B;
-    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B;  v(2, 1) = v_y_B;
-    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
-  }
-
-  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
-  /// centripetal and Coriolis terms, and the second rates of the inputs.
-  template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>& u_second_rate,
-      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_BCG = q_rate(0), omega_EDF = q_rate(1), v_s_C = q_rate(2), v_s_G = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3), S_CD_x = S(0, 0), S_CD_y = S(0, 1), S_GF_x = S(1, 0);
-    const Scalar S_GF_y = S(1, 1);
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar CD_x = d.h_C_CD * q.theta_BCG.sin, CD_y = -d.h_C_CD * q.theta_BCG.cos;
-    const Scalar ED_x = d.ED * q.theta_EDF.cos, ED_y = d.ED * q.theta_EDF.sin;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = omega_BCG * omega_BCG, t02 = omega_EDF * omega_EDF;
-    a(0, 0) = a_x_B - omega_BCG * ((BC_x + slide_C_x + CD_x + S_CD_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C);
-    a(0, 1) = a_y_B - omega_BCG * ((BC_y + slide_C_y + CD_y + S_CD_y) * omega_BCG
-        - Scalar(2) * q.theta_BCG.cos * v_s_C);
-    a(1, 0) = a_x_E - S_CD_x * t01 - ED_x * t02;  a(1, 1) = a_y_E - S_CD_y * t01 - ED_y * t02;
-    a(2, 0) = a_x_B - omega_BCG * ((BG_x + slide_G_x + GF_x + S_GF_x) * omega_BCG
-        + Scalar(2) * sin_GF * v_s_G);
-    a(2, 1) = a_y_B - omega_BCG * ((BG_y + slide_G_y + GF_y + S_GF_y) * omega_BCG
-        - Scalar(2) * cos_GF * v_s_G);
-    a(3, 0) = a_x_E - S_GF_x * t01 - EF_x * t02;  a(3, 1) = a_y_E - S_GF_y * t01 - EF_y * t02;
-  }
-
   /// The divisors p of the elimination, pivots of the core first; the size that each could
   /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = -(s_C EDF_along_slide_G - EDF_along_slide_C s_G)
@@ -708,135 +596,6 @@ struct Model05 {
     J_inverse(3, 3) = sin_GF + cos_GF * s_G_per_across_slide_G;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
-        + q.theta_BCG.sin * q.theta_EDF.sin;
-    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
-        - q.theta_BCG.sin * q.theta_EDF.cos;
-    const Scalar cos_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.cos * cos_GF
-        + q.theta_EDF.sin * sin_GF;
-    const Scalar sin_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.sin * cos_GF
-        - q.theta_EDF.cos * sin_GF;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
-    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
-    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
-    const Scalar BCG_across_slide_G = d.h_G_BCG - d.h_G_GF;
-    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
-        - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
-    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
-        - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
-    const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar BCG_per_across_slide_C = EDF_along_slide_G * inverse;
-    const Scalar EDF_per_across_slide_C = -q.s_G * inverse;
-    const Scalar s_G_per_across_slide_C = BCG_across_slide_G * BCG_per_across_slide_C
-        + EDF_across_slide_G * EDF_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = BCG_per_across_slide_C * BCG_across_slide_C
-        + EDF_per_across_slide_C * EDF_across_slide_C;
-    const Scalar BCG_per_across_slide_G = -EDF_along_slide_C * inverse;
-    const Scalar EDF_per_across_slide_G = q.s_C * inverse;
-    const Scalar s_G_per_across_slide_G = BCG_across_slide_G * BCG_per_across_slide_G
-        + EDF_across_slide_G * EDF_per_across_slide_G;
-    const Scalar s_C_per_across_slide_G = BCG_across_slide_C * BCG_per_across_slide_G
-        + EDF_across_slide_C * EDF_per_across_slide_G;
-    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
-        + BCG_per_across_slide_G * sin_GF;
-    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
-        + EDF_per_across_slide_G * sin_GF;
-    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
-        + sin_GF * s_C_per_across_slide_G - q.theta_BCG.cos;
-    const Scalar s_G_per_x_B = q.theta_BCG.sin * s_G_per_across_slide_C
-        + sin_GF * s_G_per_across_slide_G - cos_GF;
-    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
-        - BCG_per_across_slide_G * cos_GF;
-    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
-        - EDF_per_across_slide_G * cos_GF;
-    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
-        - cos_GF * s_C_per_across_slide_G;
-    const Scalar s_G_per_y_B = -sin_GF - q.theta_BCG.cos * s_G_per_across_slide_C
-        - cos_GF * s_G_per_across_slide_G;
-    S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = -q.s_G * BCG_per_across_slide_G;
-    S_d(0, 2) = -BCG_per_across_slide_G;  S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(0, 4) = BCG_per_across_slide_G * sin_EDF_minus_psi_G_BCG_minus_BCG;
-    S_d(0, 5) = BCG_per_across_slide_G * cos_EDF_minus_psi_G_BCG_minus_BCG;
-    S_d(0, 6) = BCG_per_across_slide_C;  S_d(0, 7) = BCG_per_across_slide_G;
-    S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = -q.s_G * EDF_per_across_slide_G;
-    S_d(1, 2) = -EDF_per_across_slide_G;  S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(1, 4) = EDF_per_across_slide_G * sin_EDF_minus_psi_G_BCG_minus_BCG;
-    S_d(1, 5) = EDF_per_across_slide_G * cos_EDF_minus_psi_G_BCG_minus_BCG;
-    S_d(1, 6) = EDF_per_across_slide_C;  S_d(1, 7) = EDF_per_across_slide_G;
-    S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;
-    S_d(2, 2) = -s_C_per_across_slide_G;
-    S_d(2, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
-    S_d(2, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * s_C_per_across_slide_G;
-    S_d(2, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * s_C_per_across_slide_G;
-    S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = s_C_per_across_slide_G;
-    S_d(3, 0) = -s_G_per_across_slide_C;
-    S_d(3, 1) = BCG_across_slide_G - q.s_G * s_G_per_across_slide_G;
-    S_d(3, 2) = -s_G_per_across_slide_G;  S_d(3, 3) = sin_EDF_minus_BCG * s_G_per_across_slide_C;
-    S_d(3, 4) = cos_EDF_minus_psi_G_BCG_minus_BCG
-        + sin_EDF_minus_psi_G_BCG_minus_BCG * s_G_per_across_slide_G;
-    S_d(3, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * s_G_per_across_slide_G
-        - sin_EDF_minus_psi_G_BCG_minus_BCG;
-    S_d(3, 6) = s_G_per_across_slide_C;  S_d(3, 7) = s_G_per_across_slide_G;
-    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
-    S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
-    S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
-    S_u(2, 3) = -s_C_per_y_B;
-    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = -s_G_per_x_B;
-    S_u(3, 3) = -s_G_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
-        + q.theta_BCG.sin * q.theta_EDF.sin;
-    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
-        - q.theta_BCG.sin * q.theta_EDF.cos;
-    const Scalar cos_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.cos * cos_GF
-        + q.theta_EDF.sin * sin_GF;
-    const Scalar sin_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.sin * cos_GF
-        - q.theta_EDF.cos * sin_GF;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
-    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
-    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
-    const Scalar BCG_across_slide_G = d.h_G_BCG - d.h_G_GF;
-    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
-        - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
-    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
-        - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
-    const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
-    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
-    const Scalar velocity_along_slide_G = -cos_GF * t01 - sin_GF * t02;
-    const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02;
-    const Scalar omega_BCG = -inverse * (EDF_along_slide_C * velocity_across_slide_G
-        - EDF_along_slide_G * velocity_across_slide_C);
-    const Scalar omega_EDF = inverse * (q.s_C * velocity_across_slide_G
-        - q.s_G * velocity_across_slide_C);
-    const Scalar v_s_G = BCG_across_slide_G * omega_BCG + EDF_across_slide_G * omega_EDF
-        + velocity_along_slide_G;
-    const Scalar v_s_C = BCG_across_slide_C * omega_BCG + EDF_across_slide_C * omega_EDF
-        + velocity_along_slide_C;
-    q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = v_s_C;  q_rate(3) = v_s_G;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -902,123 +661,54 @@ struct Model05 {
     q_second_rate(3) = a_s_G;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
-  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
     const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar cos_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.cos
-        + q.theta_BCG.sin * q.theta_EDF.sin;
-    const Scalar sin_EDF_minus_BCG = q.theta_BCG.cos * q.theta_EDF.sin
-        - q.theta_BCG.sin * q.theta_EDF.cos;
-    const Scalar cos_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.cos * cos_GF
-        + q.theta_EDF.sin * sin_GF;
-    const Scalar sin_EDF_minus_psi_G_BCG_minus_BCG = q.theta_EDF.sin * cos_GF
-        - q.theta_EDF.cos * sin_GF;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - d.h_C_CD;
-    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_BCG;
-    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_BCG;
-    const Scalar BCG_across_slide_G = d.h_G_BCG - d.h_G_GF;
-    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
-        - d.x_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
-    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_psi_G_BCG_minus_BCG
-        - d.y_F_EDF * cos_EDF_minus_psi_G_BCG_minus_BCG;
-    const Scalar determinant = q.s_C * EDF_along_slide_G - q.s_G * EDF_along_slide_C;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar BCG_per_across_slide_C = EDF_along_slide_G * inverse;
-    const Scalar EDF_per_across_slide_C = -q.s_G * inverse;
-    const Scalar s_G_per_across_slide_C = BCG_across_slide_G * BCG_per_across_slide_C
-        + EDF_across_slide_G * EDF_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = BCG_per_across_slide_C * BCG_across_slide_C
-        + EDF_per_across_slide_C * EDF_across_slide_C;
-    const Scalar BCG_per_across_slide_G = -EDF_along_slide_C * inverse;
-    const Scalar EDF_per_across_slide_G = q.s_C * inverse;
-    const Scalar s_G_per_across_slide_G = BCG_across_slide_G * BCG_per_across_slide_G
-        + EDF_across_slide_G * EDF_per_across_slide_G;
-    const Scalar s_C_per_across_slide_G = BCG_across_slide_C * BCG_per_across_slide_G
-        + EDF_across_slide_C * EDF_per_across_slide_G;
-    const Scalar BCG_per_x_B = BCG_per_across_slide_C * q.theta_BCG.sin
-        + BCG_per_across_slide_G * sin_GF;
-    const Scalar EDF_per_x_B = EDF_per_across_slide_C * q.theta_BCG.sin
-        + EDF_per_across_slide_G * sin_GF;
-    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
-        + sin_GF * s_C_per_across_slide_G - q.theta_BCG.cos;
-    const Scalar s_G_per_x_B = q.theta_BCG.sin * s_G_per_across_slide_C
-        + sin_GF * s_G_per_across_slide_G - cos_GF;
-    const Scalar BCG_per_y_B = -BCG_per_across_slide_C * q.theta_BCG.cos
-        - BCG_per_across_slide_G * cos_GF;
-    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * q.theta_BCG.cos
-        - EDF_per_across_slide_G * cos_GF;
-    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
-        - cos_GF * s_C_per_across_slide_G;
-    const Scalar s_G_per_y_B = -sin_GF - q.theta_BCG.cos * s_G_per_across_slide_C
-        - cos_GF * s_G_per_across_slide_G;
     const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    const Scalar omega_BCG = BCG_per_x_B * t01 + BCG_per_y_B * t02;
-    const Scalar omega_EDF = EDF_per_x_B * t01 + EDF_per_y_B * t02;
-    const Scalar v_s_C = s_C_per_x_B * t01 + s_C_per_y_B * t02;
-    const Scalar v_s_G = s_G_per_x_B * t01 + s_G_per_y_B * t02, t03 = omega_EDF * omega_EDF;
+    const Scalar omega_BCG = s.BCG_per_x_B * t01 + s.BCG_per_y_B * t02;
+    const Scalar omega_EDF = s.EDF_per_x_B * t01 + s.EDF_per_y_B * t02;
+    const Scalar v_s_C = s.s_C_per_x_B * t01 + s.s_C_per_y_B * t02;
+    const Scalar v_s_G = s.s_G_per_x_B * t01 + s.s_G_per_y_B * t02, t03 = omega_EDF * omega_EDF;
     const Scalar t04 = omega_BCG * omega_BCG;
-    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t03 + q.s_C * t04;
-    const Scalar centripetal_across_slide_C = omega_BCG * (BCG_across_slide_C * omega_BCG
-        - Scalar(2) * v_s_C) + EDF_across_slide_C * t03;
-    const Scalar centripetal_along_slide_G = EDF_along_slide_G * t03 + q.s_G * t04;
-    const Scalar centripetal_across_slide_G = omega_BCG * (BCG_across_slide_G * omega_BCG
-        - Scalar(2) * v_s_G) + EDF_across_slide_G * t03;
+    const Scalar centripetal_along_slide_C = s.EDF_along_slide_C * t03 + q.s_C * t04;
+    const Scalar centripetal_across_slide_C = omega_BCG * (s.BCG_across_slide_C * omega_BCG
+        - Scalar(2) * v_s_C) + s.EDF_across_slide_C * t03;
+    const Scalar centripetal_along_slide_G = s.EDF_along_slide_G * t03 + q.s_G * t04;
+    const Scalar centripetal_across_slide_G = omega_BCG * (s.BCG_across_slide_G * omega_BCG
+        - Scalar(2) * v_s_G) + s.EDF_across_slide_G * t03;
     const Scalar t05 = a_x_B - a_x_E, t06 = a_y_B - a_y_E;
-    S_d(0, 0) = -BCG_per_across_slide_C;  S_d(0, 1) = -q.s_G * BCG_per_across_slide_G;
-    S_d(0, 2) = -BCG_per_across_slide_G;  S_d(0, 3) = BCG_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(0, 4) = BCG_per_across_slide_G * sin_EDF_minus_psi_G_BCG_minus_BCG;
-    S_d(0, 5) = BCG_per_across_slide_G * cos_EDF_minus_psi_G_BCG_minus_BCG;
-    S_d(0, 6) = BCG_per_across_slide_C;  S_d(0, 7) = BCG_per_across_slide_G;
-    S_d(1, 0) = -EDF_per_across_slide_C;  S_d(1, 1) = -q.s_G * EDF_per_across_slide_G;
-    S_d(1, 2) = -EDF_per_across_slide_G;  S_d(1, 3) = EDF_per_across_slide_C * sin_EDF_minus_BCG;
-    S_d(1, 4) = EDF_per_across_slide_G * sin_EDF_minus_psi_G_BCG_minus_BCG;
-    S_d(1, 5) = EDF_per_across_slide_G * cos_EDF_minus_psi_G_BCG_minus_BCG;
-    S_d(1, 6) = EDF_per_across_slide_C;  S_d(1, 7) = EDF_per_across_slide_G;
-    S_d(2, 0) = -s_C_per_across_slide_C;  S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;
-    S_d(2, 2) = -s_C_per_across_slide_G;
-    S_d(2, 3) = cos_EDF_minus_BCG + sin_EDF_minus_BCG * s_C_per_across_slide_C;
-    S_d(2, 4) = sin_EDF_minus_psi_G_BCG_minus_BCG * s_C_per_across_slide_G;
-    S_d(2, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * s_C_per_across_slide_G;
-    S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = s_C_per_across_slide_G;
-    S_d(3, 0) = -s_G_per_across_slide_C;
-    S_d(3, 1) = BCG_across_slide_G - q.s_G * s_G_per_across_slide_G;
-    S_d(3, 2) = -s_G_per_across_slide_G;  S_d(3, 3) = sin_EDF_minus_BCG * s_G_per_across_slide_C;
-    S_d(3, 4) = cos_EDF_minus_psi_G_BCG_minus_BCG
-        + sin_EDF_minus_psi_G_BCG_minus_BCG * s_G_per_across_slide_G;
-    S_d(3, 5) = cos_EDF_minus_psi_G_BCG_minus_BCG * s_G_per_across_slide_G
-        - sin_EDF_minus_psi_G_BCG_minus_BCG;
-    S_d(3, 6) = s_G_per_across_slide_C;  S_d(3, 7) = s_G_per_across_slide_G;
-    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
-    S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = EDF_per_x_B;  S_u(1, 1) = EDF_per_y_B;  S_u(1, 2) = -EDF_per_x_B;
-    S_u(1, 3) = -EDF_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = -s_C_per_x_B;
-    S_u(2, 3) = -s_C_per_y_B;
-    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = -s_G_per_x_B;
-    S_u(3, 3) = -s_G_per_y_B;
     q_rate(0) = omega_BCG;  q_rate(1) = omega_EDF;  q_rate(2) = v_s_C;  q_rate(3) = v_s_G;
-    q_second_rate(0) = BCG_per_x_B * t05 + BCG_per_y_B * t06
-        + BCG_per_across_slide_C * centripetal_across_slide_C
-        + BCG_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(1) = EDF_per_x_B * t05 + EDF_per_y_B * t06
-        + EDF_per_across_slide_C * centripetal_across_slide_C
-        + EDF_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(2) = s_C_per_x_B * t05 + s_C_per_y_B * t06
-        + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
-    q_second_rate(3) = s_G_per_x_B * t05 + s_G_per_y_B * t06
-        + s_G_per_across_slide_C * centripetal_across_slide_C
-        + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
+    q_second_rate(0) = s.BCG_per_x_B * t05 + s.BCG_per_y_B * t06
+        + s.BCG_per_across_slide_C * centripetal_across_slide_C
+        + s.BCG_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(1) = s.EDF_per_x_B * t05 + s.EDF_per_y_B * t06
+        + s.EDF_per_across_slide_C * centripetal_across_slide_C
+        + s.EDF_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(2) = s.s_C_per_x_B * t05 + s.s_C_per_y_B * t06
+        + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
+    q_second_rate(3) = s.s_G_per_x_B * t05 + s.s_G_per_y_B * t06
+        + s.s_G_per_across_slide_C * centripetal_across_slide_C
+        + s.s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

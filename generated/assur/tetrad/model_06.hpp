@@ -27,19 +27,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: by EDF link GF is moved by theta_BCG alone, which singles
-///     out no line.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     26, 24, 0
 ///   jacobian:                     26, 18, 0
 ///   dimension_jacobian:           22, 12, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 2, 0
-///   acceleration_rhs:             46, 30, 0
-///   jerk_rhs:                     76, 44, 0
 ///   curvature_rhs:                84, 53, 0
 ///   link_poses:                   18, 14, 0
 ///   pose_jacobians:               14, 8, 0
@@ -48,9 +40,8 @@ namespace assur::tetrad {
 ///   pose_curvatures:              44, 23, 0
 ///   degeneracies:                 6, 8, 0
 ///   inverse_jacobian:             37, 18, 1
-///   sensitivities:                59, 31, 1
-///   velocity:                     33, 23, 1
 ///   motion:                       57, 41, 1
+///   sensitivities:                59, 31, 1
 ///   sensitivities_and_motion:     95, 55, 1
 ///   position_polynomial:          13, 9, 0
 ///   complete:                     15, 13, 1
@@ -67,7 +58,7 @@ struct Model06 {
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -185,6 +176,90 @@ struct Model06 {
       {"RRP-RPP", { 3, 5, 4, 0, 2, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
+    const Scalar cos_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.cos
+        + d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
+        - d.psi_G_BCG.sin * d.psi_D_CD.cos;
+    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
+    const Scalar BCG_along_slide_C = q.s_C - t01;
+    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
+        - d.h_D_EDF * d.psi_D_CD.cos;
+    const Scalar t02 = d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG
+        - d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG;
+    const Scalar BCG_along_slide_G = q.s_G - t02, t03 = d.h_G_BCG - d.h_G_GF;
+    const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
+        - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
+    const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
+    // A zero divisor means BCG_along_slide_G = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
+    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_D_per_across_slide_G = -BCG_along_slide_C * inverse_BCG_along_slide_G *
+        inverse_sin_psi_D_CD;
+    const Scalar s_G_per_across_slide_G = inverse_BCG_along_slide_G * BCG_across_slide_G;
+    const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
+        + inverse_BCG_along_slide_G * BCG_across_slide_C;
+    const Scalar BCG_per_x_B = inverse_BCG_along_slide_G * sin_GF;
+    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
+        + sin_GF * s_C_per_across_slide_G - q.theta_BCG.cos;
+    const Scalar s_G_per_x_B = sin_GF * s_G_per_across_slide_G - cos_GF;
+    const Scalar s_D_per_x_B = q.theta_BCG.sin * inverse_sin_psi_D_CD
+        + s_D_per_across_slide_G * sin_GF;
+    const Scalar BCG_per_y_B = -inverse_BCG_along_slide_G * cos_GF;
+    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
+        - s_C_per_across_slide_G * cos_GF;
+    const Scalar s_G_per_y_B = -sin_GF - cos_GF * s_G_per_across_slide_G;
+    const Scalar s_D_per_y_B = -q.theta_BCG.cos * inverse_sin_psi_D_CD
+        - s_D_per_across_slide_G * cos_GF;
+    const Scalar t06 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t07 = cos_psi_D_CD_minus_psi_G_BCG
+        + sin_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t08 = sin_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d.setZero();
+      S_d(0, 1) = -q.s_G * inverse_BCG_along_slide_G;  S_d(0, 2) = -inverse_BCG_along_slide_G;
+      S_d(0, 4) = inverse_BCG_along_slide_G * sin_psi_D_CD_minus_psi_G_BCG;
+      S_d(0, 5) = inverse_BCG_along_slide_G * cos_psi_D_CD_minus_psi_G_BCG;
+      S_d(0, 6) = inverse_BCG_along_slide_G * t02;  S_d(0, 7) = inverse_BCG_along_slide_G;
+      S_d(1, 0) = -s_C_per_across_slide_C;  S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
+      S_d(1, 2) = -s_C_per_across_slide_G;  S_d(1, 3) = -t06;
+      S_d(1, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
+      S_d(1, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
+      S_d(1, 6) = t02 * s_C_per_across_slide_G - q.s_D * t06 - d.h_D_EDF * (d.psi_D_CD.cos
+          + d.psi_D_CD.sin * s_C_per_across_slide_C);
+      S_d(1, 7) = s_C_per_across_slide_G;
+      S_d(2, 1) = t03 - q.s_G * s_G_per_across_slide_G;  S_d(2, 2) = -s_G_per_across_slide_G;
+      S_d(2, 4) = t07;  S_d(2, 5) = -t08;  S_d(2, 6) = -d.x_F_EDF * t08 - d.y_F_EDF * t07;
+      S_d(2, 7) = s_G_per_across_slide_G;
+      S_d(3, 0) = -inverse_sin_psi_D_CD;  S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
+      S_d(3, 2) = -s_D_per_across_slide_G;  S_d(3, 3) = s_C_per_across_slide_C;
+      S_d(3, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
+      S_d(3, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
+      S_d(3, 6) = t01 * inverse_sin_psi_D_CD + t02 * s_D_per_across_slide_G;
+      S_d(3, 7) = s_D_per_across_slide_G;
+      S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
+      S_u(0, 3) = -BCG_per_y_B;
+      S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = -s_C_per_x_B;
+      S_u(1, 3) = -s_C_per_y_B;
+      S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;  S_u(2, 2) = -s_G_per_x_B;
+      S_u(2, 3) = -s_G_per_y_B;
+      S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = -s_D_per_x_B;
+      S_u(3, 3) = -s_D_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -262,92 +337,6 @@ struct Model06 {
     F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
     F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_E = u_second_rate(2);
-    const Scalar a_y_E = u_second_rate(3);
-    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t01 = a_x_B - a_x_E;
-    const Scalar t02 = a_y_B - a_y_E;
-    rhs(0) = omega_BCG * ((BC_x + slide_C_x - ED_x - slide_D_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C - Scalar(2) * sin_EDF * v_s_D) - t01;
-    rhs(1) = omega_BCG * ((BC_y + slide_C_y - ED_y - slide_D_y) * omega_BCG
-        + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * q.theta_BCG.cos * v_s_C) - t02;
-    rhs(2) = omega_BCG * ((BG_x + slide_G_x + GF_x - EF_x) * omega_BCG + Scalar(2) * sin_GF * v_s_G)
-        - t01;
-    rhs(3) = omega_BCG * ((BG_y + slide_G_y + GF_y - EF_y) * omega_BCG - Scalar(2) * cos_GF * v_s_G)
-        - t02;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
-    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t01 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D, t02 = j_x_B - j_x_E;
-    const Scalar t03 = BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t04 = BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t05 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D, t06 = j_y_B - j_y_E;
-    const Scalar t07 = BG_y + slide_G_y + GF_y - EF_y, t08 = cos_GF * v_s_G;
-    const Scalar t09 = BG_x + slide_G_x + GF_x - EF_x, t10 = sin_GF * v_s_G;
-    rhs(0) = Scalar(3) * alpha_BCG * t01 + omega_BCG * (Scalar(3) * t03 * alpha_BCG
-        + Scalar(3) * q.theta_BCG.sin * a_s_C - Scalar(3) * sin_EDF * a_s_D
-        - omega_BCG * (t04 * omega_BCG - Scalar(3) * t05)) - t02;
-    rhs(1) = omega_BCG * (Scalar(3) * t04 * alpha_BCG + Scalar(3) * cos_EDF * a_s_D
-        + omega_BCG * (Scalar(3) * t01 + t03 * omega_BCG) - Scalar(3) * q.theta_BCG.cos * a_s_C)
-        - Scalar(3) * t05 * alpha_BCG - t06;
-    rhs(2) = Scalar(3) * alpha_BCG * t10 - t02 - omega_BCG * (omega_BCG * (t07 * omega_BCG
-        - Scalar(3) * t08) - Scalar(3) * t09 * alpha_BCG - Scalar(3) * sin_GF * a_s_G);
-    rhs(3) = omega_BCG * (omega_BCG * (t09 * omega_BCG + Scalar(3) * t10)
-        + Scalar(3) * t07 * alpha_BCG - Scalar(3) * cos_GF * a_s_G) - t06
-        - Scalar(3) * alpha_BCG * t08;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -605,123 +594,6 @@ struct Model06 {
     J_inverse(3, 3) = s_D_per_across_slide_G * cos_GF;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    S_d.setZero();
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar cos_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.cos
-        + d.psi_G_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
-        - d.psi_G_BCG.sin * d.psi_D_CD.cos;
-    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
-    const Scalar BCG_along_slide_C = q.s_C - t01;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
-        - d.h_D_EDF * d.psi_D_CD.cos;
-    const Scalar t02 = d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG
-        - d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG;
-    const Scalar BCG_along_slide_G = q.s_G - t02, t03 = d.h_G_BCG - d.h_G_GF;
-    const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
-        - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
-    const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
-    // A zero divisor means BCG_along_slide_G = 0, or sin(psi_D_CD) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
-    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
-    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_D_per_across_slide_G = -BCG_along_slide_C * inverse_BCG_along_slide_G *
-        inverse_sin_psi_D_CD;
-    const Scalar s_G_per_across_slide_G = inverse_BCG_along_slide_G * BCG_across_slide_G;
-    const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
-        + inverse_BCG_along_slide_G * BCG_across_slide_C;
-    const Scalar BCG_per_x_B = inverse_BCG_along_slide_G * sin_GF;
-    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
-        + s_C_per_across_slide_G * sin_GF - q.theta_BCG.cos;
-    const Scalar s_G_per_x_B = s_G_per_across_slide_G * sin_GF - cos_GF;
-    const Scalar s_D_per_x_B = q.theta_BCG.sin * inverse_sin_psi_D_CD
-        + s_D_per_across_slide_G * sin_GF;
-    const Scalar BCG_per_y_B = -inverse_BCG_along_slide_G * cos_GF;
-    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
-        - s_C_per_across_slide_G * cos_GF;
-    const Scalar s_G_per_y_B = -sin_GF - s_G_per_across_slide_G * cos_GF;
-    const Scalar s_D_per_y_B = -q.theta_BCG.cos * inverse_sin_psi_D_CD
-        - s_D_per_across_slide_G * cos_GF;
-    const Scalar t04 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t05 = cos_psi_D_CD_minus_psi_G_BCG
-        + sin_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t06 = sin_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    S_d(0, 1) = -q.s_G * inverse_BCG_along_slide_G;  S_d(0, 2) = -inverse_BCG_along_slide_G;
-    S_d(0, 4) = inverse_BCG_along_slide_G * sin_psi_D_CD_minus_psi_G_BCG;
-    S_d(0, 5) = inverse_BCG_along_slide_G * cos_psi_D_CD_minus_psi_G_BCG;
-    S_d(0, 6) = inverse_BCG_along_slide_G * t02;  S_d(0, 7) = inverse_BCG_along_slide_G;
-    S_d(1, 0) = -s_C_per_across_slide_C;  S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = -s_C_per_across_slide_G;  S_d(1, 3) = -t04;
-    S_d(1, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 6) = t02 * s_C_per_across_slide_G - q.s_D * t04 - d.h_D_EDF * (d.psi_D_CD.cos
-        + d.psi_D_CD.sin * s_C_per_across_slide_C);
-    S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 1) = t03 - q.s_G * s_G_per_across_slide_G;  S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 4) = t05;  S_d(2, 5) = -t06;  S_d(2, 6) = -d.x_F_EDF * t06 - d.y_F_EDF * t05;
-    S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = -inverse_sin_psi_D_CD;  S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
-    S_d(3, 2) = -s_D_per_across_slide_G;  S_d(3, 3) = s_C_per_across_slide_C;
-    S_d(3, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 6) = t01 * inverse_sin_psi_D_CD + t02 * s_D_per_across_slide_G;
-    S_d(3, 7) = s_D_per_across_slide_G;
-    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
-    S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = -s_C_per_x_B;
-    S_u(1, 3) = -s_C_per_y_B;
-    S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;  S_u(2, 2) = -s_G_per_x_B;
-    S_u(2, 3) = -s_G_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = -s_D_per_x_B;
-    S_u(3, 3) = -s_D_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar cos_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.cos
-        + d.psi_G_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
-        - d.psi_G_BCG.sin * d.psi_D_CD.cos;
-    const Scalar BCG_along_slide_C = q.s_C + d.h_D_EDF * d.psi_D_CD.sin - q.s_D * d.psi_D_CD.cos;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
-        - d.h_D_EDF * d.psi_D_CD.cos;
-    const Scalar BCG_along_slide_G = q.s_G + d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
-        - d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
-    const Scalar BCG_across_slide_G = d.h_G_BCG - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
-        - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG - d.h_G_GF;
-    const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
-    // A zero divisor means BCG_along_slide_G = 0, or sin(psi_D_CD) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
-    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse, t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = -q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
-    const Scalar velocity_across_slide_C = q.theta_BCG.sin * t01 - q.theta_BCG.cos * t02;
-    const Scalar velocity_along_slide_G = -cos_GF * t01 - sin_GF * t02;
-    const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02;
-    const Scalar omega_BCG = inverse_BCG_along_slide_G * velocity_across_slide_G;
-    const Scalar v_s_D = -inverse_sin_psi_D_CD * (BCG_along_slide_C * omega_BCG
-        - velocity_across_slide_C);
-    const Scalar v_s_G = BCG_across_slide_G * omega_BCG + velocity_along_slide_G;
-    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + BCG_across_slide_C * omega_BCG
-        + velocity_along_slide_C;
-    q_rate(0) = omega_BCG;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_D;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -780,113 +652,52 @@ struct Model06 {
     q_second_rate(3) = a_s_D;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
-  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), v_x_E = u_rate(2), a_x_E = u_second_rate(2);
     const Scalar v_y_E = u_rate(3), a_y_E = u_second_rate(3);
-    S_d.setZero();
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + d.psi_G_BCG.cos * q.theta_BCG.sin;
-    const Scalar cos_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.cos
-        + d.psi_G_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos * d.psi_D_CD.sin
-        - d.psi_G_BCG.sin * d.psi_D_CD.cos;
-    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin;
-    const Scalar BCG_along_slide_C = q.s_C - t01;
-    const Scalar BCG_across_slide_C = d.h_C_BCG - q.s_D * d.psi_D_CD.sin
-        - d.h_D_EDF * d.psi_D_CD.cos;
-    const Scalar t02 = d.x_F_EDF * cos_psi_D_CD_minus_psi_G_BCG
-        - d.y_F_EDF * sin_psi_D_CD_minus_psi_G_BCG;
-    const Scalar BCG_along_slide_G = q.s_G - t02, t03 = d.h_G_BCG - d.h_G_GF;
-    const Scalar BCG_across_slide_G = t03 - d.x_F_EDF * sin_psi_D_CD_minus_psi_G_BCG
-        - d.y_F_EDF * cos_psi_D_CD_minus_psi_G_BCG;
-    const Scalar pivot_product = -BCG_along_slide_G * d.psi_D_CD.sin;
-    // A zero divisor means BCG_along_slide_G = 0, or sin(psi_D_CD) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_BCG_along_slide_G = -inverse * d.psi_D_CD.sin;
-    const Scalar inverse_sin_psi_D_CD = BCG_along_slide_G * inverse;
-    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_D_per_across_slide_G = -BCG_along_slide_C * inverse_BCG_along_slide_G *
-        inverse_sin_psi_D_CD;
-    const Scalar s_G_per_across_slide_G = inverse_BCG_along_slide_G * BCG_across_slide_G;
-    const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
-        + inverse_BCG_along_slide_G * BCG_across_slide_C;
-    const Scalar BCG_per_x_B = inverse_BCG_along_slide_G * sin_GF;
-    const Scalar s_C_per_x_B = q.theta_BCG.sin * s_C_per_across_slide_C
-        + sin_GF * s_C_per_across_slide_G - q.theta_BCG.cos;
-    const Scalar s_G_per_x_B = sin_GF * s_G_per_across_slide_G - cos_GF;
-    const Scalar s_D_per_x_B = q.theta_BCG.sin * inverse_sin_psi_D_CD
-        + s_D_per_across_slide_G * sin_GF;
-    const Scalar BCG_per_y_B = -inverse_BCG_along_slide_G * cos_GF;
-    const Scalar s_C_per_y_B = -q.theta_BCG.sin - q.theta_BCG.cos * s_C_per_across_slide_C
-        - s_C_per_across_slide_G * cos_GF;
-    const Scalar s_G_per_y_B = -sin_GF - cos_GF * s_G_per_across_slide_G;
-    const Scalar s_D_per_y_B = -q.theta_BCG.cos * inverse_sin_psi_D_CD
-        - s_D_per_across_slide_G * cos_GF;
     const Scalar t04 = v_x_B - v_x_E, t05 = v_y_B - v_y_E;
-    const Scalar omega_BCG = BCG_per_x_B * t04 + BCG_per_y_B * t05;
-    const Scalar v_s_C = s_C_per_x_B * t04 + s_C_per_y_B * t05;
-    const Scalar v_s_G = s_G_per_x_B * t04 + s_G_per_y_B * t05;
-    const Scalar v_s_D = s_D_per_x_B * t04 + s_D_per_y_B * t05;
+    const Scalar omega_BCG = s.BCG_per_x_B * t04 + s.BCG_per_y_B * t05;
+    const Scalar v_s_C = s.s_C_per_x_B * t04 + s.s_C_per_y_B * t05;
+    const Scalar v_s_G = s.s_G_per_x_B * t04 + s.s_G_per_y_B * t05;
+    const Scalar v_s_D = s.s_D_per_x_B * t04 + s.s_D_per_y_B * t05;
     const Scalar centripetal_along_slide_C = -omega_BCG * (Scalar(2) * d.psi_D_CD.sin * v_s_D
-        - BCG_along_slide_C * omega_BCG);
+        - s.BCG_along_slide_C * omega_BCG);
     const Scalar centripetal_across_slide_C = omega_BCG * (Scalar(2) * d.psi_D_CD.cos * v_s_D
-        + BCG_across_slide_C * omega_BCG - Scalar(2) * v_s_C);
-    const Scalar centripetal_along_slide_G = BCG_along_slide_G * omega_BCG * omega_BCG;
-    const Scalar centripetal_across_slide_G = omega_BCG * (BCG_across_slide_G * omega_BCG
+        + s.BCG_across_slide_C * omega_BCG - Scalar(2) * v_s_C);
+    const Scalar centripetal_along_slide_G = s.BCG_along_slide_G * omega_BCG * omega_BCG;
+    const Scalar centripetal_across_slide_G = omega_BCG * (s.BCG_across_slide_G * omega_BCG
         - Scalar(2) * v_s_G);
-    const Scalar t06 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t07 = cos_psi_D_CD_minus_psi_G_BCG
-        + sin_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t08 = sin_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
     const Scalar t09 = a_x_B - a_x_E, t10 = a_y_B - a_y_E;
-    S_d(0, 1) = -q.s_G * inverse_BCG_along_slide_G;  S_d(0, 2) = -inverse_BCG_along_slide_G;
-    S_d(0, 4) = inverse_BCG_along_slide_G * sin_psi_D_CD_minus_psi_G_BCG;
-    S_d(0, 5) = inverse_BCG_along_slide_G * cos_psi_D_CD_minus_psi_G_BCG;
-    S_d(0, 6) = inverse_BCG_along_slide_G * t02;  S_d(0, 7) = inverse_BCG_along_slide_G;
-    S_d(1, 0) = -s_C_per_across_slide_C;  S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = -s_C_per_across_slide_G;  S_d(1, 3) = -t06;
-    S_d(1, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 6) = t02 * s_C_per_across_slide_G - q.s_D * t06 - d.h_D_EDF * (d.psi_D_CD.cos
-        + d.psi_D_CD.sin * s_C_per_across_slide_C);
-    S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 1) = t03 - q.s_G * s_G_per_across_slide_G;  S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 4) = t07;  S_d(2, 5) = -t08;  S_d(2, 6) = -d.x_F_EDF * t08 - d.y_F_EDF * t07;
-    S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = -inverse_sin_psi_D_CD;  S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
-    S_d(3, 2) = -s_D_per_across_slide_G;  S_d(3, 3) = s_C_per_across_slide_C;
-    S_d(3, 4) = sin_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 5) = cos_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 6) = t01 * inverse_sin_psi_D_CD + t02 * s_D_per_across_slide_G;
-    S_d(3, 7) = s_D_per_across_slide_G;
-    S_u(0, 0) = BCG_per_x_B;  S_u(0, 1) = BCG_per_y_B;  S_u(0, 2) = -BCG_per_x_B;
-    S_u(0, 3) = -BCG_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = -s_C_per_x_B;
-    S_u(1, 3) = -s_C_per_y_B;
-    S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;  S_u(2, 2) = -s_G_per_x_B;
-    S_u(2, 3) = -s_G_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = -s_D_per_x_B;
-    S_u(3, 3) = -s_D_per_y_B;
     q_rate(0) = omega_BCG;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_D;
-    q_second_rate(0) = BCG_per_x_B * t09 + BCG_per_y_B * t10
-        + inverse_BCG_along_slide_G * centripetal_across_slide_G;
-    q_second_rate(1) = s_C_per_x_B * t09 + s_C_per_y_B * t10
-        + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
-    q_second_rate(2) = s_G_per_x_B * t09 + s_G_per_y_B * t10
-        + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
-    q_second_rate(3) = s_D_per_x_B * t09 + s_D_per_y_B * t10
-        + inverse_sin_psi_D_CD * centripetal_across_slide_C
-        + s_D_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(0) = s.BCG_per_x_B * t09 + s.BCG_per_y_B * t10
+        + s.inverse_BCG_along_slide_G * centripetal_across_slide_G;
+    q_second_rate(1) = s.s_C_per_x_B * t09 + s.s_C_per_y_B * t10
+        + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
+    q_second_rate(2) = s.s_G_per_x_B * t09 + s.s_G_per_y_B * t10
+        + s.s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
+    q_second_rate(3) = s.s_D_per_x_B * t09 + s.s_D_per_y_B * t10
+        + s.inverse_sin_psi_D_CD * centripetal_across_slide_C
+        + s.s_D_per_across_slide_G * centripetal_across_slide_G;
   }
 
   /// The final polynomial T in theta_BCG, free of all other unknowns:

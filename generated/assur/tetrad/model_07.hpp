@@ -27,18 +27,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: the group is no structure.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     36, 28, 0
 ///   jacobian:                     36, 22, 0
 ///   dimension_jacobian:           32, 16, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 2, 0
-///   acceleration_rhs:             60, 36, 0
-///   jerk_rhs:                     92, 52, 0
 ///   curvature_rhs:                109, 68, 0
 ///   link_poses:                   16, 12, 0
 ///   pose_jacobians:               12, 6, 0
@@ -59,7 +52,7 @@ struct Model07 {
   static constexpr int input_count = 4;
   static constexpr int compatibility_count = 1;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -246,106 +239,6 @@ struct Model07 {
     F_u(1, 1) = Scalar(1);  F_u(1, 3) = -Scalar(1);
     F_u(2, 0) = Scalar(1);  F_u(2, 2) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 3) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_E = u_rate(2), v_y_E = u_rate(3);
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    rhs(0) = -t01;  rhs(1) = -t02;  rhs(2) = -t01;  rhs(3) = -t02;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_D = q_rate(3);
-    const Scalar v_s_F = q_rate(4), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
-    const Scalar a_x_E = u_second_rate(2), a_y_E = u_second_rate(3);
-    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
-    const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t01 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
-    const Scalar t02 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
-    const Scalar cos_slide_F = q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
-    const Scalar sin_slide_F = q.theta_BCG.cos * t02 + q.theta_BCG.sin * t01;
-    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t03 = a_x_B - a_x_E, t04 = a_y_B - a_y_E;
-    rhs(0) = omega_BCG * ((BC_x + slide_C_x - ED_x - slide_D_x) * omega_BCG
-        + Scalar(2) * q.theta_BCG.sin * v_s_C - Scalar(2) * sin_EDF * v_s_D) - t03;
-    rhs(1) = omega_BCG * ((BC_y + slide_C_y - ED_y - slide_D_y) * omega_BCG
-        + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * q.theta_BCG.cos * v_s_C) - t04;
-    rhs(2) = omega_BCG * ((BG_x + slide_G_x - EF_x - slide_F_x) * omega_BCG
-        + Scalar(2) * sin_GF * v_s_G - Scalar(2) * sin_slide_F * v_s_F) - t03;
-    rhs(3) = omega_BCG * ((BG_y + slide_G_y - EF_y - slide_F_y) * omega_BCG
-        + Scalar(2) * cos_slide_F * v_s_F - Scalar(2) * cos_GF * v_s_G) - t04;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_BCG = q_rate(0), alpha_BCG = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), v_s_F = q_rate(4);
-    const Scalar a_s_F = q_second_rate(4), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
-    const Scalar j_x_E = u_third_rate(2), j_y_E = u_third_rate(3);
-    const Scalar cos_EDF = q.theta_BCG.cos * d.psi_D_CD.cos - q.theta_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_EDF = q.theta_BCG.cos * d.psi_D_CD.sin + d.psi_D_CD.cos * q.theta_BCG.sin;
-    const Scalar cos_GF = q.theta_BCG.cos * d.psi_G_BCG.cos - q.theta_BCG.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = q.theta_BCG.cos * d.psi_G_BCG.sin + q.theta_BCG.sin * d.psi_G_BCG.cos;
-    const Scalar BC_x = -d.h_C_BCG * q.theta_BCG.sin, BC_y = d.h_C_BCG * q.theta_BCG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_BCG.cos, slide_C_y = q.s_C * q.theta_BCG.sin;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
-    const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t01 = d.psi_G_BCG.cos * d.psi_F_GF.cos - d.psi_G_BCG.sin * d.psi_F_GF.sin;
-    const Scalar t02 = d.psi_G_BCG.cos * d.psi_F_GF.sin + d.psi_G_BCG.sin * d.psi_F_GF.cos;
-    const Scalar cos_slide_F = q.theta_BCG.cos * t01 - q.theta_BCG.sin * t02;
-    const Scalar sin_slide_F = q.theta_BCG.cos * t02 + q.theta_BCG.sin * t01;
-    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t03 = q.theta_BCG.sin * v_s_C - sin_EDF * v_s_D, t04 = j_x_B - j_x_E;
-    const Scalar t05 = BC_x + slide_C_x - ED_x - slide_D_x;
-    const Scalar t06 = BC_y + slide_C_y - ED_y - slide_D_y;
-    const Scalar t07 = q.theta_BCG.cos * v_s_C - cos_EDF * v_s_D, t08 = j_y_B - j_y_E;
-    const Scalar t09 = sin_GF * v_s_G - sin_slide_F * v_s_F;
-    const Scalar t10 = BG_x + slide_G_x - EF_x - slide_F_x;
-    const Scalar t11 = BG_y + slide_G_y - EF_y - slide_F_y;
-    const Scalar t12 = cos_GF * v_s_G - cos_slide_F * v_s_F;
-    rhs(0) = Scalar(3) * alpha_BCG * t03 + omega_BCG * (Scalar(3) * t05 * alpha_BCG
-        + Scalar(3) * q.theta_BCG.sin * a_s_C - Scalar(3) * sin_EDF * a_s_D
-        - omega_BCG * (t06 * omega_BCG - Scalar(3) * t07)) - t04;
-    rhs(1) = omega_BCG * (Scalar(3) * t06 * alpha_BCG + Scalar(3) * cos_EDF * a_s_D
-        + omega_BCG * (Scalar(3) * t03 + t05 * omega_BCG) - Scalar(3) * q.theta_BCG.cos * a_s_C)
-        - Scalar(3) * t07 * alpha_BCG - t08;
-    rhs(2) = Scalar(3) * alpha_BCG * t09 + omega_BCG * (Scalar(3) * t10 * alpha_BCG
-        + Scalar(3) * sin_GF * a_s_G - Scalar(3) * sin_slide_F * a_s_F
-        - omega_BCG * (t11 * omega_BCG - Scalar(3) * t12)) - t04;
-    rhs(3) = omega_BCG * (Scalar(3) * t11 * alpha_BCG + Scalar(3) * cos_slide_F * a_s_F
-        + omega_BCG * (Scalar(3) * t09 + t10 * omega_BCG) - Scalar(3) * cos_GF * a_s_G) - t08
-        - Scalar(3) * alpha_BCG * t12;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

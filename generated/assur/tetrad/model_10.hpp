@@ -28,34 +28,21 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   S_CD is moved by theta_EDF and s_B through BCG, and by theta_EDF and s_D through EDF
-///   S_GF is moved by theta_EDF and s_B through BCG, and by theta_EDF and s_F through EDF
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     24, 25, 0
 ///   jacobian:                     16, 10, 0
 ///   dimension_jacobian:           10, 6, 0
 ///   input_jacobian:               8, 7, 0
-///   velocity_rhs:                 12, 13, 0
-///   acceleration_rhs:             58, 39, 0
-///   jerk_rhs:                     110, 63, 0
 ///   curvature_rhs:                78, 47, 0
 ///   link_poses:                   12, 11, 0
 ///   pose_jacobians:               8, 7, 0
 ///   link_velocities:              14, 13, 0
 ///   link_accelerations:           28, 21, 0
 ///   pose_curvatures:              32, 17, 0
-///   special_point_lines:          20, 12, 0
-///   special_point_lengths:        32, 22, 0
-///   special_point_velocities:     12, 11, 0
-///   special_point_accelerations:  63, 45, 0
 ///   degeneracies:                 12, 14, 0
 ///   inverse_jacobian:             42, 17, 1
-///   sensitivities:                72, 45, 1
-///   velocity:                     44, 31, 1
 ///   motion:                       83, 61, 1
+///   sensitivities:                72, 45, 1
 ///   sensitivities_and_motion:     129, 85, 1
 ///   position_polynomial:          33, 24, 0
 ///   second_equations:             26, 21, 0
@@ -73,7 +60,7 @@ struct Model10 {
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = true;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 4;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -180,6 +167,110 @@ struct Model10 {
       {"RPP-PRR", { 3, 4, 5, 0, 1, 2 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
+    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
+    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
+        + q.theta_EDF.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
+        - q.theta_EDF.sin * u.phi_B.cos;
+    const Scalar cos_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.cos * cos_GF + u.phi_B.sin * sin_GF;
+    const Scalar sin_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.sin * cos_GF - u.phi_B.cos * sin_GF;
+    const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
+    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF, t01 = q.s_B + d.x_G_BCG;
+    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
+        + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar phi_B_across_slide_F = t01 * sin_phi_B_minus_psi_F_EDF_minus_EDF
+        - t02 * cos_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
+        - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
+    const Scalar EDF_per_across_slide_D = inverse * sin_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar s_B_per_across_slide_D = q.s_F * inverse;
+    const Scalar s_F_per_across_slide_D = cos_phi_B_minus_psi_F_EDF_minus_EDF *
+        s_B_per_across_slide_D - EDF_across_slide_F * EDF_per_across_slide_D;
+    const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = t03 - EDF_per_across_slide_D * EDF_across_slide_D;
+    const Scalar EDF_per_across_slide_F = -inverse * sin_phi_B_minus_EDF;
+    const Scalar s_B_per_across_slide_F = -q.s_D * inverse;
+    const Scalar t04 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
+    const Scalar s_F_per_across_slide_F = t04 - EDF_across_slide_F * EDF_per_across_slide_F;
+    const Scalar s_D_per_across_slide_F = cos_phi_B_minus_EDF * s_B_per_across_slide_F
+        - EDF_across_slide_D * EDF_per_across_slide_F;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_D * q.theta_EDF.sin
+        + EDF_per_across_slide_F * sin_GF;
+    const Scalar s_B_per_x_B = q.theta_EDF.sin * s_B_per_across_slide_D
+        + sin_GF * s_B_per_across_slide_F;
+    const Scalar s_D_per_x_B = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
+        + sin_GF * s_D_per_across_slide_F;
+    const Scalar s_F_per_x_B = cos_GF + q.theta_EDF.sin * s_F_per_across_slide_D
+        + sin_GF * s_F_per_across_slide_F;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_D * q.theta_EDF.cos
+        - EDF_per_across_slide_F * cos_GF;
+    const Scalar s_B_per_y_B = -q.theta_EDF.cos * s_B_per_across_slide_D
+        - cos_GF * s_B_per_across_slide_F;
+    const Scalar s_D_per_y_B = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
+        - cos_GF * s_D_per_across_slide_F;
+    const Scalar s_F_per_y_B = sin_GF - q.theta_EDF.cos * s_F_per_across_slide_D
+        - cos_GF * s_F_per_across_slide_F;
+    const Scalar EDF_per_phi_B = -EDF_per_across_slide_D * phi_B_along_slide_D
+        - EDF_per_across_slide_F * phi_B_along_slide_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_D * s_B_per_across_slide_D
+        - phi_B_along_slide_F * s_B_per_across_slide_F;
+    const Scalar s_D_per_phi_B = -phi_B_along_slide_D * s_D_per_across_slide_D
+        - phi_B_across_slide_D - phi_B_along_slide_F * s_D_per_across_slide_F;
+    const Scalar s_F_per_phi_B = -phi_B_along_slide_D * s_F_per_across_slide_D
+        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
+    const Scalar t08 = EDF_per_across_slide_F * cos_phi_B_minus_psi_F_EDF_minus_EDF;
+    const Scalar t09 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
+    const Scalar t10 = sin_phi_B_minus_psi_F_EDF_minus_EDF
+        + cos_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = EDF_per_across_slide_D * cos_phi_B_minus_EDF + t08;
+      S_d(0, 1) = -EDF_per_across_slide_F * sin_phi_B_minus_psi_F_EDF_minus_EDF;  S_d(0, 2) = -t08;
+      S_d(0, 3) = EDF_per_across_slide_D;  S_d(0, 4) = q.s_F * EDF_per_across_slide_F;
+      S_d(0, 5) = EDF_per_across_slide_F;  S_d(0, 6) = -EDF_per_across_slide_D;
+      S_d(0, 7) = -EDF_per_across_slide_F;
+      S_d(1, 0) = t03 + t04;
+      S_d(1, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;  S_d(1, 2) = -t04;
+      S_d(1, 3) = s_B_per_across_slide_D;  S_d(1, 4) = q.s_F * s_B_per_across_slide_F;
+      S_d(1, 5) = s_B_per_across_slide_F;  S_d(1, 6) = -s_B_per_across_slide_D;
+      S_d(1, 7) = -s_B_per_across_slide_F;
+      S_d(2, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D + t09;
+      S_d(2, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;  S_d(2, 2) = -t09;
+      S_d(2, 3) = s_D_per_across_slide_D;  S_d(2, 4) = q.s_F * s_D_per_across_slide_F;
+      S_d(2, 5) = s_D_per_across_slide_F;  S_d(2, 6) = -s_D_per_across_slide_D;
+      S_d(2, 7) = -s_D_per_across_slide_F;
+      S_d(3, 0) = cos_phi_B_minus_EDF * s_F_per_across_slide_D + t10;
+      S_d(3, 1) = cos_phi_B_minus_psi_F_EDF_minus_EDF
+          - sin_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
+      S_d(3, 2) = -t10;  S_d(3, 3) = s_F_per_across_slide_D;
+      S_d(3, 4) = q.s_F * s_F_per_across_slide_F - EDF_across_slide_F;
+      S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = -s_F_per_across_slide_D;
+      S_d(3, 7) = -s_F_per_across_slide_F;
+      S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;  S_u(0, 2) = EDF_per_phi_B;
+      S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+      S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+      S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+      S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;  S_u(2, 2) = s_D_per_phi_B;
+      S_u(2, 3) = -s_D_per_x_B;  S_u(2, 4) = -s_D_per_y_B;
+      S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
+      S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -248,107 +339,6 @@ struct Model10 {
     F_u(1, 1) = Scalar(1);  F_u(1, 2) = slide_B_x + BC_x;  F_u(1, 4) = -Scalar(1);
     F_u(2, 0) = Scalar(1);  F_u(2, 2) = -slide_B_y - BG_y;  F_u(2, 3) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = v_x_B - v_x_E;
-    const Scalar t03 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y) * omega_B - t02;  rhs(1) = -(slide_B_x + BC_x) * omega_B - t03;
-    rhs(2) = (slide_B_y + BG_y) * omega_B - t02;  rhs(3) = -t03 - (slide_B_x + BG_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
-    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF, EF_y = d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF, t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B, t04 = slide_B_y + BC_y, t05 = a_x_B - a_x_E;
-    const Scalar t06 = u.phi_B.cos * v_s_B, t07 = a_y_B - a_y_E, t08 = slide_B_x + BG_x;
-    const Scalar t09 = slide_B_y + BG_y;
-    rhs(0) = omega_EDF * ((CD_x - ED_x - slide_D_x) * omega_EDF
-        - Scalar(2) * q.theta_EDF.sin * v_s_D) + omega_B * (t02 * omega_B + Scalar(2) * t03)
-        + t04 * alpha_B - t05;
-    rhs(1) = omega_EDF * ((CD_y - ED_y - slide_D_y) * omega_EDF
-        + Scalar(2) * q.theta_EDF.cos * v_s_D) + omega_B * (t04 * omega_B - Scalar(2) * t06)
-        - t02 * alpha_B - t07;
-    rhs(2) = omega_EDF * ((GF_x - EF_x - slide_F_x) * omega_EDF - Scalar(2) * sin_GF * v_s_F)
-        + omega_B * (Scalar(2) * t03 + t08 * omega_B) + t09 * alpha_B - t05;
-    rhs(3) = omega_EDF * ((GF_y - EF_y - slide_F_y) * omega_EDF + Scalar(2) * cos_GF * v_s_F) - t07
-        - omega_B * (Scalar(2) * t06 - t09 * omega_B) - t08 * alpha_B;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0), alpha_EDF = q_second_rate(0), v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
-    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF, EF_y = d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
-    const Scalar t02 = CD_y - ED_y - slide_D_y, t03 = q.theta_EDF.cos * v_s_D;
-    const Scalar t04 = CD_x - ED_x - slide_D_x, t05 = slide_B_y + BC_y, t06 = u.phi_B.cos * v_s_B;
-    const Scalar t07 = slide_B_x + BC_x, t08 = u.phi_B.sin * a_s_B, t09 = q.theta_EDF.sin * v_s_D;
-    const Scalar t10 = u.phi_B.sin * v_s_B, t11 = alpha_B * t10, t12 = j_x_B - j_x_E;
-    const Scalar t13 = u.phi_B.cos * a_s_B, t14 = t06 * alpha_B, t15 = j_y_B - j_y_E;
-    const Scalar t16 = GF_y - EF_y - slide_F_y, t17 = cos_GF * v_s_F, t18 = GF_x - EF_x - slide_F_x;
-    const Scalar t19 = slide_B_y + BG_y, t20 = slide_B_x + BG_x, t21 = sin_GF * v_s_F;
-    rhs(0) = t05 * jerk_B + Scalar(3) * t11 - omega_EDF * (omega_EDF * (t02 * omega_EDF
-        + Scalar(3) * t03) + Scalar(3) * q.theta_EDF.sin * a_s_D - Scalar(3) * t04 * alpha_EDF)
-        - omega_B * (omega_B * (t05 * omega_B - Scalar(3) * t06) - Scalar(3) * t07 * alpha_B
-        - Scalar(3) * t08) - Scalar(3) * alpha_EDF * t09 - t12;
-    rhs(1) = omega_EDF * (omega_EDF * (t04 * omega_EDF - Scalar(3) * t09)
-        + Scalar(3) * t02 * alpha_EDF + Scalar(3) * q.theta_EDF.cos * a_s_D)
-        + omega_B * (omega_B * (t07 * omega_B + Scalar(3) * t10) + Scalar(3) * t05 * alpha_B
-        - Scalar(3) * t13) + Scalar(3) * t03 * alpha_EDF - t07 * jerk_B - Scalar(3) * t14 - t15;
-    rhs(2) = omega_B * (Scalar(3) * t08 + omega_B * (Scalar(3) * t06 - t19 * omega_B)
-        + Scalar(3) * t20 * alpha_B) + t19 * jerk_B + Scalar(3) * t11
-        - omega_EDF * (omega_EDF * (t16 * omega_EDF + Scalar(3) * t17) + Scalar(3) * sin_GF * a_s_F
-        - Scalar(3) * t18 * alpha_EDF) - Scalar(3) * alpha_EDF * t21 - t12;
-    rhs(3) = omega_EDF * (omega_EDF * (t18 * omega_EDF - Scalar(3) * t21)
-        + Scalar(3) * t16 * alpha_EDF + Scalar(3) * cos_GF * a_s_F) + Scalar(3) * alpha_EDF * t17
-        - omega_B * (Scalar(3) * t13 - omega_B * (Scalar(3) * t10 + t20 * omega_B)
-        - Scalar(3) * t19 * alpha_B) - t20 * jerk_B - Scalar(3) * t14 - t15;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -527,116 +517,6 @@ struct Model10 {
         + BG_y) * omega_B);
   }
 
-  /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two per closure link. S is measured from the origin of the
-  /// link's frame, in the directions of the fixed frame.
-  template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-    lines.setZero();
-    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF;
-    const Scalar EF_y = d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
-    lines(0, 0) = -u.phi_B.cos;  lines(0, 1) = -u.phi_B.sin;
-    lines(1, 0) = -q.theta_EDF.cos;  lines(1, 1) = -q.theta_EDF.sin;
-    lines(1, 2) = -(CD_x - ED_x - slide_D_x) * q.theta_EDF.cos - (CD_y - ED_y
-        - slide_D_y) * q.theta_EDF.sin;
-    lines(2, 0) = -u.phi_B.cos;  lines(2, 1) = -u.phi_B.sin;
-    lines(3, 0) = -cos_GF;  lines(3, 1) = -sin_GF;
-    lines(3, 2) = -(GF_x - EF_x - slide_F_x) * cos_GF - (GF_y - EF_y - slide_F_y) * sin_GF;
-  }
-
-  /// The signed lengths L: on side i of its link a special point at S moves by
-  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
-  template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
-      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
-    const Scalar n_GF_EDF_y = n(3, 1);
-    L.setZero();
-    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF;
-    const Scalar EF_y = d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
-    L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
-    L(0, 1) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
-    L(1, 0) = (S_CD_x + ED_x + slide_D_x - CD_x) * n_CD_EDF_y - (S_CD_y + ED_y + slide_D_y
-        - CD_y) * n_CD_EDF_x;
-    L(1, 2) = n_CD_EDF_x * q.theta_EDF.cos + n_CD_EDF_y * q.theta_EDF.sin;
-    L(2, 0) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
-    L(2, 1) = n_GF_BCG_x * u.phi_B.cos + n_GF_BCG_y * u.phi_B.sin;
-    L(3, 0) = (S_GF_x + EF_x + slide_F_x - GF_x) * n_GF_EDF_y - (S_GF_y + EF_y + slide_F_y
-        - GF_y) * n_GF_EDF_x;
-    L(3, 3) = n_GF_EDF_x * cos_GF + n_GF_EDF_y * sin_GF;
-  }
-
-  /// The velocity of each special point by each side, less what dq/dt adds.
-  template <typename Scalar>
-  static void special_point_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos;
-    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;  v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
-    v(1, 0) = v_x_E;  v(1, 1) = v_y_E;
-    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;  v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
-    v(3, 0) = v_x_E;  v(3, 1) = v_y_E;
-  }
-
-  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
-  /// centripetal and Coriolis terms, and the second rates of the inputs.
-  template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
-    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
-    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = -d.h_D_CD * q.theta_EDF.sin, CD_y = d.h_D_CD * q.theta_EDF.cos;
-    const Scalar ED_x = -d.h_D_EDF * q.theta_EDF.sin, ED_y = d.h_D_EDF * q.theta_EDF.cos;
-    const Scalar slide_D_x = q.s_D * q.theta_EDF.cos, slide_D_y = q.s_D * q.theta_EDF.sin;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = -d.h_F_EDF * sin_GF, EF_y = d.h_F_EDF * cos_GF;
-    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF, t02 = slide_B_x + BC_x;
-    const Scalar t03 = u.phi_B.sin * v_s_B, t04 = slide_B_y + BC_y, t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = u.phi_B.cos * v_s_B, t07 = slide_B_x + BG_x, t08 = slide_B_y + BG_y;
-    a(0, 0) = a_x_B - omega_B * (t02 * omega_B + Scalar(2) * t03) - t04 * alpha_B - S_CD_x * t05;
-    a(0, 1) = t02 * alpha_B + a_y_B - omega_B * (t04 * omega_B - Scalar(2) * t06) - S_CD_y * t05;
-    a(1, 0) = a_x_E - omega_EDF * ((S_CD_x + ED_x + slide_D_x - CD_x) * omega_EDF
-        + Scalar(2) * q.theta_EDF.sin * v_s_D);
-    a(1, 1) = a_y_E - omega_EDF * ((S_CD_y + ED_y + slide_D_y - CD_y) * omega_EDF
-        - Scalar(2) * q.theta_EDF.cos * v_s_D);
-    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t03 + t07 * omega_B) - t08 * alpha_B - S_GF_x * t05;
-    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t06 - t08 * omega_B) + t07 * alpha_B - S_GF_y * t05;
-    a(3, 0) = a_x_E - omega_EDF * ((S_GF_x + EF_x + slide_F_x - GF_x) * omega_EDF
-        + Scalar(2) * sin_GF * v_s_F);
-    a(3, 1) = a_y_E - omega_EDF * ((S_GF_y + EF_y + slide_F_y - GF_y) * omega_EDF
-        - Scalar(2) * cos_GF * v_s_F);
-  }
-
   /// The divisors p of the elimination, pivots of the core first; the size that each could
   /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = -(-s_D sin_phi_B_minus_psi_F_EDF_minus_EDF + sin_phi_B_minus_EDF s_F)
@@ -705,154 +585,6 @@ struct Model10 {
     J_inverse(3, 1) = q.theta_EDF.cos * s_F_per_across_slide_D;
     J_inverse(3, 2) = -cos_GF - sin_GF * s_F_per_across_slide_F;
     J_inverse(3, 3) = cos_GF * s_F_per_across_slide_F - sin_GF;
-  }
-
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
-        + q.theta_EDF.sin * u.phi_B.sin;
-    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
-        - q.theta_EDF.sin * u.phi_B.cos;
-    const Scalar cos_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.cos * cos_GF + u.phi_B.sin * sin_GF;
-    const Scalar sin_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.sin * cos_GF - u.phi_B.cos * sin_GF;
-    const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
-        + d.h_B_BCG * sin_phi_B_minus_EDF;
-    const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
-        - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF, t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
-        + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar phi_B_across_slide_F = t01 * sin_phi_B_minus_psi_F_EDF_minus_EDF
-        - t02 * cos_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
-        - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar EDF_per_across_slide_D = inverse * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar s_B_per_across_slide_D = q.s_F * inverse;
-    const Scalar s_F_per_across_slide_D = cos_phi_B_minus_psi_F_EDF_minus_EDF *
-        s_B_per_across_slide_D - EDF_across_slide_F * EDF_per_across_slide_D;
-    const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
-    const Scalar s_D_per_across_slide_D = t03 - EDF_per_across_slide_D * EDF_across_slide_D;
-    const Scalar EDF_per_across_slide_F = -inverse * sin_phi_B_minus_EDF;
-    const Scalar s_B_per_across_slide_F = -q.s_D * inverse;
-    const Scalar t04 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
-    const Scalar s_F_per_across_slide_F = t04 - EDF_across_slide_F * EDF_per_across_slide_F;
-    const Scalar s_D_per_across_slide_F = cos_phi_B_minus_EDF * s_B_per_across_slide_F
-        - EDF_across_slide_D * EDF_per_across_slide_F;
-    const Scalar EDF_per_x_B = EDF_per_across_slide_D * q.theta_EDF.sin
-        + EDF_per_across_slide_F * sin_GF;
-    const Scalar s_B_per_x_B = q.theta_EDF.sin * s_B_per_across_slide_D
-        + sin_GF * s_B_per_across_slide_F;
-    const Scalar s_D_per_x_B = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
-        + sin_GF * s_D_per_across_slide_F;
-    const Scalar s_F_per_x_B = cos_GF + q.theta_EDF.sin * s_F_per_across_slide_D
-        + sin_GF * s_F_per_across_slide_F;
-    const Scalar EDF_per_y_B = -EDF_per_across_slide_D * q.theta_EDF.cos
-        - EDF_per_across_slide_F * cos_GF;
-    const Scalar s_B_per_y_B = -q.theta_EDF.cos * s_B_per_across_slide_D
-        - cos_GF * s_B_per_across_slide_F;
-    const Scalar s_D_per_y_B = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
-        - cos_GF * s_D_per_across_slide_F;
-    const Scalar s_F_per_y_B = sin_GF - q.theta_EDF.cos * s_F_per_across_slide_D
-        - cos_GF * s_F_per_across_slide_F;
-    const Scalar t05 = EDF_per_across_slide_F * cos_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar t06 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
-    const Scalar t07 = sin_phi_B_minus_psi_F_EDF_minus_EDF
-        + cos_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
-    S_d(0, 0) = EDF_per_across_slide_D * cos_phi_B_minus_EDF + t05;
-    S_d(0, 1) = -EDF_per_across_slide_F * sin_phi_B_minus_psi_F_EDF_minus_EDF;  S_d(0, 2) = -t05;
-    S_d(0, 3) = EDF_per_across_slide_D;  S_d(0, 4) = q.s_F * EDF_per_across_slide_F;
-    S_d(0, 5) = EDF_per_across_slide_F;  S_d(0, 6) = -EDF_per_across_slide_D;
-    S_d(0, 7) = -EDF_per_across_slide_F;
-    S_d(1, 0) = t03 + t04;
-    S_d(1, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;  S_d(1, 2) = -t04;
-    S_d(1, 3) = s_B_per_across_slide_D;  S_d(1, 4) = q.s_F * s_B_per_across_slide_F;
-    S_d(1, 5) = s_B_per_across_slide_F;  S_d(1, 6) = -s_B_per_across_slide_D;
-    S_d(1, 7) = -s_B_per_across_slide_F;
-    S_d(2, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D + t06;
-    S_d(2, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;  S_d(2, 2) = -t06;
-    S_d(2, 3) = s_D_per_across_slide_D;  S_d(2, 4) = q.s_F * s_D_per_across_slide_F;
-    S_d(2, 5) = s_D_per_across_slide_F;  S_d(2, 6) = -s_D_per_across_slide_D;
-    S_d(2, 7) = -s_D_per_across_slide_F;
-    S_d(3, 0) = cos_phi_B_minus_EDF * s_F_per_across_slide_D + t07;
-    S_d(3, 1) = cos_phi_B_minus_psi_F_EDF_minus_EDF
-        - sin_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
-    S_d(3, 2) = -t07;  S_d(3, 3) = s_F_per_across_slide_D;
-    S_d(3, 4) = q.s_F * s_F_per_across_slide_F - EDF_across_slide_F;
-    S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = -s_F_per_across_slide_D;
-    S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;
-    S_u(0, 2) = -EDF_per_across_slide_D * phi_B_along_slide_D
-        - EDF_per_across_slide_F * phi_B_along_slide_F;
-    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = -phi_B_along_slide_D * s_B_per_across_slide_D
-        - phi_B_along_slide_F * s_B_per_across_slide_F;
-    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;
-    S_u(2, 2) = -phi_B_along_slide_D * s_D_per_across_slide_D - phi_B_across_slide_D
-        - phi_B_along_slide_F * s_D_per_across_slide_F;
-    S_u(2, 3) = -s_D_per_x_B;  S_u(2, 4) = -s_D_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;
-    S_u(3, 2) = -phi_B_along_slide_D * s_F_per_across_slide_D
-        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
-    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
-        + q.theta_EDF.sin * u.phi_B.sin;
-    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
-        - q.theta_EDF.sin * u.phi_B.cos;
-    const Scalar cos_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.cos * cos_GF + u.phi_B.sin * sin_GF;
-    const Scalar sin_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.sin * cos_GF - u.phi_B.cos * sin_GF;
-    const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
-        + d.h_B_BCG * sin_phi_B_minus_EDF;
-    const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
-        - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF, t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
-        + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar phi_B_across_slide_F = t01 * sin_phi_B_minus_psi_F_EDF_minus_EDF
-        - t02 * cos_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
-        - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_D = phi_B_across_slide_D * omega_B - q.theta_EDF.cos * t03
-        - q.theta_EDF.sin * t04;
-    const Scalar velocity_across_slide_D = q.theta_EDF.sin * t03 - q.theta_EDF.cos * t04
-        - phi_B_along_slide_D * omega_B;
-    const Scalar velocity_along_slide_F = phi_B_across_slide_F * omega_B - cos_GF * t03
-        - sin_GF * t04;
-    const Scalar velocity_across_slide_F = sin_GF * t03 - cos_GF * t04
-        - phi_B_along_slide_F * omega_B;
-    const Scalar omega_EDF = -inverse * (sin_phi_B_minus_EDF * velocity_across_slide_F
-        - sin_phi_B_minus_psi_F_EDF_minus_EDF * velocity_across_slide_D);
-    const Scalar v_s_B = -inverse * (q.s_D * velocity_across_slide_F
-        - q.s_F * velocity_across_slide_D);
-    const Scalar v_s_F = cos_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B
-        - EDF_across_slide_F * omega_EDF - velocity_along_slide_F;
-    const Scalar v_s_D = cos_phi_B_minus_EDF * v_s_B - EDF_across_slide_D * omega_EDF
-        - velocity_along_slide_D;
-    q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -929,6 +661,15 @@ struct Model10 {
     q_second_rate(3) = a_s_F;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -937,132 +678,43 @@ struct Model10 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
-    const Scalar cos_GF = q.theta_EDF.cos * d.psi_F_EDF.cos - q.theta_EDF.sin * d.psi_F_EDF.sin;
-    const Scalar sin_GF = q.theta_EDF.cos * d.psi_F_EDF.sin + d.psi_F_EDF.cos * q.theta_EDF.sin;
-    const Scalar cos_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.cos
-        + q.theta_EDF.sin * u.phi_B.sin;
-    const Scalar sin_phi_B_minus_EDF = q.theta_EDF.cos * u.phi_B.sin
-        - q.theta_EDF.sin * u.phi_B.cos;
-    const Scalar cos_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.cos * cos_GF + u.phi_B.sin * sin_GF;
-    const Scalar sin_phi_B_minus_psi_F_EDF_minus_EDF = u.phi_B.sin * cos_GF - u.phi_B.cos * sin_GF;
-    const Scalar phi_B_along_slide_D = q.s_B * cos_phi_B_minus_EDF
-        + d.h_B_BCG * sin_phi_B_minus_EDF;
-    const Scalar phi_B_across_slide_D = q.s_B * sin_phi_B_minus_EDF
-        - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_D = d.h_D_CD - d.h_D_EDF, t01 = q.s_B + d.x_G_BCG;
-    const Scalar t02 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar phi_B_along_slide_F = t01 * cos_phi_B_minus_psi_F_EDF_minus_EDF
-        + t02 * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar phi_B_across_slide_F = t01 * sin_phi_B_minus_psi_F_EDF_minus_EDF
-        - t02 * cos_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar determinant = q.s_F * sin_phi_B_minus_EDF
-        - q.s_D * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar EDF_per_across_slide_D = inverse * sin_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar s_B_per_across_slide_D = q.s_F * inverse;
-    const Scalar s_F_per_across_slide_D = cos_phi_B_minus_psi_F_EDF_minus_EDF *
-        s_B_per_across_slide_D - EDF_across_slide_F * EDF_per_across_slide_D;
-    const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_D;
-    const Scalar s_D_per_across_slide_D = t03 - EDF_per_across_slide_D * EDF_across_slide_D;
-    const Scalar EDF_per_across_slide_F = -inverse * sin_phi_B_minus_EDF;
-    const Scalar s_B_per_across_slide_F = -q.s_D * inverse;
-    const Scalar t04 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;
-    const Scalar s_F_per_across_slide_F = t04 - EDF_across_slide_F * EDF_per_across_slide_F;
-    const Scalar s_D_per_across_slide_F = cos_phi_B_minus_EDF * s_B_per_across_slide_F
-        - EDF_across_slide_D * EDF_per_across_slide_F;
-    const Scalar EDF_per_x_B = EDF_per_across_slide_D * q.theta_EDF.sin
-        + EDF_per_across_slide_F * sin_GF;
-    const Scalar s_B_per_x_B = q.theta_EDF.sin * s_B_per_across_slide_D
-        + sin_GF * s_B_per_across_slide_F;
-    const Scalar s_D_per_x_B = q.theta_EDF.cos + q.theta_EDF.sin * s_D_per_across_slide_D
-        + sin_GF * s_D_per_across_slide_F;
-    const Scalar s_F_per_x_B = cos_GF + q.theta_EDF.sin * s_F_per_across_slide_D
-        + sin_GF * s_F_per_across_slide_F;
-    const Scalar EDF_per_y_B = -EDF_per_across_slide_D * q.theta_EDF.cos
-        - EDF_per_across_slide_F * cos_GF;
-    const Scalar s_B_per_y_B = -q.theta_EDF.cos * s_B_per_across_slide_D
-        - cos_GF * s_B_per_across_slide_F;
-    const Scalar s_D_per_y_B = q.theta_EDF.sin - q.theta_EDF.cos * s_D_per_across_slide_D
-        - cos_GF * s_D_per_across_slide_F;
-    const Scalar s_F_per_y_B = sin_GF - q.theta_EDF.cos * s_F_per_across_slide_D
-        - cos_GF * s_F_per_across_slide_F;
-    const Scalar EDF_per_phi_B = -EDF_per_across_slide_D * phi_B_along_slide_D
-        - EDF_per_across_slide_F * phi_B_along_slide_F;
-    const Scalar s_B_per_phi_B = -phi_B_along_slide_D * s_B_per_across_slide_D
-        - phi_B_along_slide_F * s_B_per_across_slide_F;
-    const Scalar s_D_per_phi_B = -phi_B_along_slide_D * s_D_per_across_slide_D
-        - phi_B_across_slide_D - phi_B_along_slide_F * s_D_per_across_slide_F;
-    const Scalar s_F_per_phi_B = -phi_B_along_slide_D * s_F_per_across_slide_D
-        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
     const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E;
-    const Scalar omega_EDF = EDF_per_x_B * t05 + EDF_per_y_B * t06 + EDF_per_phi_B * omega_B;
-    const Scalar v_s_B = s_B_per_x_B * t05 + s_B_per_y_B * t06 + s_B_per_phi_B * omega_B;
-    const Scalar v_s_D = s_D_per_x_B * t05 + s_D_per_y_B * t06 + s_D_per_phi_B * omega_B;
-    const Scalar v_s_F = s_F_per_x_B * t05 + s_F_per_y_B * t06 + s_F_per_phi_B * omega_B;
+    const Scalar omega_EDF = s.EDF_per_x_B * t05 + s.EDF_per_y_B * t06 + s.EDF_per_phi_B * omega_B;
+    const Scalar v_s_B = s.s_B_per_x_B * t05 + s.s_B_per_y_B * t06 + s.s_B_per_phi_B * omega_B;
+    const Scalar v_s_D = s.s_D_per_x_B * t05 + s.s_D_per_y_B * t06 + s.s_D_per_phi_B * omega_B;
+    const Scalar v_s_F = s.s_F_per_x_B * t05 + s.s_F_per_y_B * t06 + s.s_F_per_phi_B * omega_B;
     const Scalar t07 = omega_EDF * omega_EDF;
-    const Scalar centripetal_along_slide_D = omega_B * (Scalar(2) * sin_phi_B_minus_EDF * v_s_B
-        + phi_B_along_slide_D * omega_B) - q.s_D * t07;
-    const Scalar centripetal_across_slide_D = omega_EDF * (EDF_across_slide_D * omega_EDF
-        + Scalar(2) * v_s_D) - omega_B * (Scalar(2) * cos_phi_B_minus_EDF * v_s_B
-        - phi_B_across_slide_D * omega_B);
+    const Scalar centripetal_along_slide_D = omega_B * (Scalar(2) * s.sin_phi_B_minus_EDF * v_s_B
+        + s.phi_B_along_slide_D * omega_B) - q.s_D * t07;
+    const Scalar centripetal_across_slide_D = omega_EDF * (s.EDF_across_slide_D * omega_EDF
+        + Scalar(2) * v_s_D) - omega_B * (Scalar(2) * s.cos_phi_B_minus_EDF * v_s_B
+        - s.phi_B_across_slide_D * omega_B);
     const Scalar centripetal_along_slide_F = omega_B * (Scalar(2) *
-        sin_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B + phi_B_along_slide_F * omega_B) - q.s_F * t07;
-    const Scalar centripetal_across_slide_F = omega_EDF * (EDF_across_slide_F * omega_EDF
-        + Scalar(2) * v_s_F) - omega_B * (Scalar(2) * cos_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B
-        - phi_B_across_slide_F * omega_B);
-    const Scalar t08 = EDF_per_across_slide_F * cos_phi_B_minus_psi_F_EDF_minus_EDF;
-    const Scalar t09 = cos_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;
-    const Scalar t10 = sin_phi_B_minus_psi_F_EDF_minus_EDF
-        + cos_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
+        s.sin_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B + s.phi_B_along_slide_F * omega_B)
+        - q.s_F * t07;
+    const Scalar centripetal_across_slide_F = omega_EDF * (s.EDF_across_slide_F * omega_EDF
+        + Scalar(2) * v_s_F) - omega_B * (Scalar(2) * s.cos_phi_B_minus_psi_F_EDF_minus_EDF * v_s_B
+        - s.phi_B_across_slide_F * omega_B);
     const Scalar t11 = a_x_B - a_x_E, t12 = a_y_B - a_y_E;
-    S_d(0, 0) = EDF_per_across_slide_D * cos_phi_B_minus_EDF + t08;
-    S_d(0, 1) = -EDF_per_across_slide_F * sin_phi_B_minus_psi_F_EDF_minus_EDF;  S_d(0, 2) = -t08;
-    S_d(0, 3) = EDF_per_across_slide_D;  S_d(0, 4) = q.s_F * EDF_per_across_slide_F;
-    S_d(0, 5) = EDF_per_across_slide_F;  S_d(0, 6) = -EDF_per_across_slide_D;
-    S_d(0, 7) = -EDF_per_across_slide_F;
-    S_d(1, 0) = t03 + t04;
-    S_d(1, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_B_per_across_slide_F;  S_d(1, 2) = -t04;
-    S_d(1, 3) = s_B_per_across_slide_D;  S_d(1, 4) = q.s_F * s_B_per_across_slide_F;
-    S_d(1, 5) = s_B_per_across_slide_F;  S_d(1, 6) = -s_B_per_across_slide_D;
-    S_d(1, 7) = -s_B_per_across_slide_F;
-    S_d(2, 0) = sin_phi_B_minus_EDF + cos_phi_B_minus_EDF * s_D_per_across_slide_D + t09;
-    S_d(2, 1) = -sin_phi_B_minus_psi_F_EDF_minus_EDF * s_D_per_across_slide_F;  S_d(2, 2) = -t09;
-    S_d(2, 3) = s_D_per_across_slide_D;  S_d(2, 4) = q.s_F * s_D_per_across_slide_F;
-    S_d(2, 5) = s_D_per_across_slide_F;  S_d(2, 6) = -s_D_per_across_slide_D;
-    S_d(2, 7) = -s_D_per_across_slide_F;
-    S_d(3, 0) = cos_phi_B_minus_EDF * s_F_per_across_slide_D + t10;
-    S_d(3, 1) = cos_phi_B_minus_psi_F_EDF_minus_EDF
-        - sin_phi_B_minus_psi_F_EDF_minus_EDF * s_F_per_across_slide_F;
-    S_d(3, 2) = -t10;  S_d(3, 3) = s_F_per_across_slide_D;
-    S_d(3, 4) = q.s_F * s_F_per_across_slide_F - EDF_across_slide_F;
-    S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = -s_F_per_across_slide_D;
-    S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;  S_u(0, 2) = EDF_per_phi_B;
-    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;  S_u(2, 2) = s_D_per_phi_B;
-    S_u(2, 3) = -s_D_per_x_B;  S_u(2, 4) = -s_D_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
-    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
     q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
-    q_second_rate(0) = EDF_per_x_B * t11 + EDF_per_y_B * t12 + EDF_per_phi_B * alpha_B
-        + EDF_per_across_slide_D * centripetal_across_slide_D
-        + EDF_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(1) = s_B_per_x_B * t11 + s_B_per_y_B * t12 + s_B_per_phi_B * alpha_B
-        + s_B_per_across_slide_D * centripetal_across_slide_D
-        + s_B_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(2) = s_D_per_x_B * t11 + s_D_per_y_B * t12 + s_D_per_phi_B * alpha_B
-        + s_D_per_across_slide_D * centripetal_across_slide_D
-        + s_D_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_D;
-    q_second_rate(3) = s_F_per_x_B * t11 + s_F_per_y_B * t12 + s_F_per_phi_B * alpha_B
-        + s_F_per_across_slide_D * centripetal_across_slide_D
-        + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
+    q_second_rate(0) = s.EDF_per_x_B * t11 + s.EDF_per_y_B * t12 + s.EDF_per_phi_B * alpha_B
+        + s.EDF_per_across_slide_D * centripetal_across_slide_D
+        + s.EDF_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(1) = s.s_B_per_x_B * t11 + s.s_B_per_y_B * t12 + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_across_slide_D * centripetal_across_slide_D
+        + s.s_B_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(2) = s.s_D_per_x_B * t11 + s.s_D_per_y_B * t12 + s.s_D_per_phi_B * alpha_B
+        + s.s_D_per_across_slide_D * centripetal_across_slide_D
+        + s.s_D_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_D;
+    q_second_rate(3) = s.s_F_per_x_B * t11 + s.s_F_per_y_B * t12 + s.s_F_per_phi_B * alpha_B
+        + s.s_F_per_across_slide_D * centripetal_across_slide_D
+        + s.s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

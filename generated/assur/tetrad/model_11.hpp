@@ -28,34 +28,21 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   S_CD is moved by theta_CD and s_B through BCG, and by theta_CD and s_E through EDF
-///   S_GF is moved by theta_GF and s_B through BCG, and by theta_GF and s_E through EDF
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     20, 24, 0
 ///   jacobian:                     4, 0, 0
 ///   dimension_jacobian:           0, 0, 0
 ///   input_jacobian:               16, 14, 0
-///   velocity_rhs:                 24, 24, 0
-///   acceleration_rhs:             62, 44, 0
-///   jerk_rhs:                     116, 68, 0
 ///   curvature_rhs:                84, 46, 0
 ///   link_poses:                   12, 13, 0
 ///   pose_jacobians:               12, 9, 0
 ///   link_velocities:              22, 19, 0
 ///   link_accelerations:           44, 31, 0
 ///   pose_curvatures:              48, 23, 0
-///   special_point_lines:          8, 2, 0
-///   special_point_lengths:        20, 12, 0
-///   special_point_velocities:     24, 22, 0
-///   special_point_accelerations:  66, 50, 0
 ///   degeneracies:                 4, 11, 0
 ///   inverse_jacobian:             66, 18, 1
-///   sensitivities:                128, 64, 1
-///   velocity:                     74, 42, 1
 ///   motion:                       126, 80, 1
+///   sensitivities:                128, 64, 1
 ///   sensitivities_and_motion:     206, 116, 1
 ///   position_polynomial:          82, 63, 0
 ///   second_equations:             69, 55, 0
@@ -73,7 +60,7 @@ struct Model11 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = true;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 2;  ///< index of the final polynomial's unknown
@@ -197,6 +184,126 @@ struct Model11 {
       {"PRR-PRR", { 0, 1, 2, 3, 4, 5 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
+    const Scalar cos_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.cos + q.theta_CD.sin * u.phi_E.sin;
+    const Scalar sin_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.sin - q.theta_CD.sin * u.phi_E.cos;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
+    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
+    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
+    const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
+    const Scalar phi_E_across_CD = d.h_E_EDF * cos_phi_E_minus_CD - q.s_E * sin_phi_E_minus_CD;
+    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
+    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
+    const Scalar t03 = q.s_E + d.x_F_EDF, t04 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = t04 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
+        - q.theta_CD.cos * q.theta_GF.sin;
+    const Scalar t05 = d.CD * d.GF, t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
+    const Scalar pivot_product = -t05 * t06;
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
+    //     CD = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar t07 = inverse * t05, inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
+    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07, t08 = inverse * t06;
+    const Scalar inverse_GF = -d.CD * t08, inverse_CD = -d.GF * t08;
+    const Scalar t09 = inverse_sin_phi_B_minus_phi_E * inverse_sin_CD_minus_GF;
+    const Scalar s_B_per_along_CD = -cos_phi_E_minus_GF * t09;
+    const Scalar s_E_per_along_CD = -cos_phi_B_minus_GF * t09;
+    const Scalar GF_per_along_CD = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_CD
+        - sin_phi_E_minus_GF * s_E_per_along_CD);
+    const Scalar t10 = sin_phi_B_minus_CD * s_B_per_along_CD;
+    const Scalar t11 = sin_phi_E_minus_CD * s_E_per_along_CD;
+    const Scalar CD_per_along_CD = -inverse_CD * (t10 - t11);
+    const Scalar s_B_per_along_GF = cos_phi_E_minus_CD * t09;
+    const Scalar s_E_per_along_GF = cos_phi_B_minus_CD * t09;
+    const Scalar t12 = sin_phi_B_minus_GF * s_B_per_along_GF;
+    const Scalar t13 = sin_phi_E_minus_GF * s_E_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (t12 - t13);
+    const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
+        - sin_phi_E_minus_CD * s_E_per_along_GF);
+    const Scalar CD_per_x_B = inverse_CD * q.theta_CD.sin - CD_per_along_CD * q.theta_CD.cos
+        - CD_per_along_GF * q.theta_GF.cos;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_CD * q.theta_CD.cos
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = -q.theta_CD.cos * s_B_per_along_CD
+        - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_E_per_x_B = -q.theta_CD.cos * s_E_per_along_CD
+        - q.theta_GF.cos * s_E_per_along_GF;
+    const Scalar CD_per_y_B = -inverse_CD * q.theta_CD.cos - CD_per_along_CD * q.theta_CD.sin
+        - CD_per_along_GF * q.theta_GF.sin;
+    const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
+        - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_B_per_y_B = -q.theta_CD.sin * s_B_per_along_CD
+        - q.theta_GF.sin * s_B_per_along_GF;
+    const Scalar s_E_per_y_B = -q.theta_CD.sin * s_E_per_along_CD
+        - q.theta_GF.sin * s_E_per_along_GF;
+    const Scalar CD_per_phi_B = CD_per_along_CD * phi_B_across_CD
+        + CD_per_along_GF * phi_B_across_GF - inverse_CD * phi_B_along_CD;
+    const Scalar GF_per_phi_B = GF_per_along_CD * phi_B_across_CD
+        + GF_per_along_GF * phi_B_across_GF - inverse_GF * phi_B_along_GF;
+    const Scalar s_B_per_phi_B = phi_B_across_CD * s_B_per_along_CD
+        + phi_B_across_GF * s_B_per_along_GF;
+    const Scalar s_E_per_phi_B = phi_B_across_CD * s_E_per_along_CD
+        + phi_B_across_GF * s_E_per_along_GF;
+    const Scalar CD_per_phi_E = CD_per_along_CD * phi_E_across_CD
+        + CD_per_along_GF * phi_E_across_GF - inverse_CD * phi_E_along_CD;
+    const Scalar GF_per_phi_E = GF_per_along_CD * phi_E_across_CD
+        + GF_per_along_GF * phi_E_across_GF - inverse_GF * phi_E_along_GF;
+    const Scalar s_B_per_phi_E = phi_E_across_CD * s_B_per_along_CD
+        + phi_E_across_GF * s_B_per_along_GF;
+    const Scalar s_E_per_phi_E = phi_E_across_CD * s_E_per_along_CD
+        + phi_E_across_GF * s_E_per_along_GF;
+    const Scalar t16 = CD_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t17 = CD_per_along_GF * sin_phi_E_minus_GF;
+    const Scalar t18 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
+    const Scalar t19 = inverse_GF * cos_phi_E_minus_GF - GF_per_along_GF * sin_phi_E_minus_GF;
+    const Scalar t20 = sin_phi_E_minus_GF * s_B_per_along_GF;
+    const Scalar t21 = sin_phi_B_minus_GF * s_E_per_along_GF;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = inverse_CD * cos_phi_B_minus_CD - CD_per_along_CD * sin_phi_B_minus_CD - t16;
+      S_d(0, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;  S_d(0, 2) = t16;
+      S_d(0, 3) = CD_per_along_CD * sin_phi_E_minus_CD + t17 - inverse_CD * cos_phi_E_minus_CD;
+      S_d(0, 4) = CD_per_along_GF * cos_phi_E_minus_GF;  S_d(0, 5) = -t17;
+      S_d(0, 6) = -CD_per_along_CD;  S_d(0, 7) = -CD_per_along_GF;
+      S_d(1, 0) = t18 - GF_per_along_CD * sin_phi_B_minus_CD;
+      S_d(1, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
+      S_d(1, 2) = -t18;  S_d(1, 3) = GF_per_along_CD * sin_phi_E_minus_CD - t19;
+      S_d(1, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
+      S_d(1, 5) = t19;  S_d(1, 6) = -GF_per_along_CD;  S_d(1, 7) = -GF_per_along_GF;
+      S_d(2, 0) = -t10 - t12;  S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;  S_d(2, 2) = t12;
+      S_d(2, 3) = sin_phi_E_minus_CD * s_B_per_along_CD + t20;
+      S_d(2, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;  S_d(2, 5) = -t20;
+      S_d(2, 6) = -s_B_per_along_CD;  S_d(2, 7) = -s_B_per_along_GF;
+      S_d(3, 0) = -sin_phi_B_minus_CD * s_E_per_along_CD - t21;
+      S_d(3, 1) = -cos_phi_B_minus_GF * s_E_per_along_GF;  S_d(3, 2) = t21;  S_d(3, 3) = t11 + t13;
+      S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;  S_d(3, 5) = -t13;
+      S_d(3, 6) = -s_E_per_along_CD;  S_d(3, 7) = -s_E_per_along_GF;
+      S_u(0, 0) = CD_per_x_B;  S_u(0, 1) = CD_per_y_B;  S_u(0, 2) = CD_per_phi_B;
+      S_u(0, 3) = -CD_per_x_B;  S_u(0, 4) = -CD_per_y_B;  S_u(0, 5) = CD_per_phi_E;
+      S_u(1, 0) = GF_per_x_B;  S_u(1, 1) = GF_per_y_B;  S_u(1, 2) = GF_per_phi_B;
+      S_u(1, 3) = -GF_per_x_B;  S_u(1, 4) = -GF_per_y_B;  S_u(1, 5) = GF_per_phi_E;
+      S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;  S_u(2, 2) = s_B_per_phi_B;
+      S_u(2, 3) = -s_B_per_x_B;  S_u(2, 4) = -s_B_per_y_B;  S_u(2, 5) = s_B_per_phi_E;
+      S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
+      S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;  S_u(3, 5) = s_E_per_phi_E;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -266,115 +373,6 @@ struct Model11 {
     F_u(2, 5) = slide_E_y + EF_y;
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
     F_u(3, 5) = -slide_E_x - EF_x;
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos, t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y) * omega_B - (slide_E_y + ED_y) * omega_E - t03;
-    rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + BC_x) * omega_B - t04;
-    rhs(2) = (slide_B_y + BG_y) * omega_B - t03 - (slide_E_y + EF_y) * omega_E;
-    rhs(3) = (slide_E_x + EF_x) * omega_E - t04 - (slide_B_x + BG_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CD = q_rate(0), omega_GF = q_rate(1), v_s_B = q_rate(2), v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin, t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos, t03 = slide_B_x + BC_x;
-    const Scalar t04 = u.phi_B.sin * v_s_B, t05 = slide_E_x + ED_x, t06 = u.phi_E.sin * v_s_E;
-    const Scalar t07 = slide_B_y + BC_y, t08 = slide_E_y + ED_y, t09 = omega_CD * omega_CD;
-    const Scalar t10 = a_x_B - a_x_E, t11 = u.phi_B.cos * v_s_B, t12 = u.phi_E.cos * v_s_E;
-    const Scalar t13 = a_y_B - a_y_E, t14 = slide_B_x + BG_x, t15 = slide_E_x + EF_x;
-    const Scalar t16 = slide_B_y + BG_y, t17 = slide_E_y + EF_y, t18 = omega_GF * omega_GF;
-    rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04) + t07 * alpha_B + CD_x * t09
-        - omega_E * (t05 * omega_E + Scalar(2) * t06) - t08 * alpha_E - t10;
-    rhs(1) = omega_B * (t07 * omega_B - Scalar(2) * t11) + t05 * alpha_E + CD_y * t09
-        - omega_E * (t08 * omega_E - Scalar(2) * t12) - t03 * alpha_B - t13;
-    rhs(2) = omega_B * (Scalar(2) * t04 + t14 * omega_B) + t16 * alpha_B + GF_x * t18
-        - omega_E * (Scalar(2) * t06 + t15 * omega_E) - t17 * alpha_E - t10;
-    rhs(3) = omega_E * (Scalar(2) * t12 - t17 * omega_E) + t15 * alpha_E + GF_y * t18
-        - omega_B * (Scalar(2) * t11 - t16 * omega_B) - t14 * alpha_B - t13;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CD = q_rate(0), alpha_CD = q_second_rate(0), omega_GF = q_rate(1);
-    const Scalar alpha_GF = q_second_rate(1), v_s_B = q_rate(2), a_s_B = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
-    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5), jerk_E = u_third_rate(5);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin, t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos, t03 = slide_B_y + BC_y;
-    const Scalar t04 = u.phi_B.cos * v_s_B, t05 = slide_B_x + BC_x, t06 = u.phi_B.sin * a_s_B;
-    const Scalar t07 = slide_E_y + ED_y, t08 = u.phi_E.cos * v_s_E, t09 = slide_E_x + ED_x;
-    const Scalar t10 = u.phi_E.sin * a_s_E, t11 = omega_CD * omega_CD, t12 = u.phi_B.sin * v_s_B;
-    const Scalar t13 = u.phi_E.sin * v_s_E;
-    const Scalar t14 = j_x_B - j_x_E - Scalar(3) * (alpha_B * t12 - alpha_E * t13);
-    const Scalar t15 = u.phi_B.cos * a_s_B, t16 = u.phi_E.cos * a_s_E;
-    const Scalar t17 = j_y_B - j_y_E + Scalar(3) * (t04 * alpha_B - t08 * alpha_E);
-    const Scalar t18 = slide_B_y + BG_y, t19 = slide_B_x + BG_x, t20 = slide_E_y + EF_y;
-    const Scalar t21 = slide_E_x + EF_x, t22 = omega_GF * omega_GF;
-    rhs(0) = omega_E * (omega_E * (t07 * omega_E - Scalar(3) * t08) - Scalar(3) * t09 * alpha_E
-        - Scalar(3) * t10) + t03 * jerk_B + omega_CD * (Scalar(3) * CD_x * alpha_CD - CD_y * t11)
-        - omega_B * (omega_B * (t03 * omega_B - Scalar(3) * t04) - Scalar(3) * t05 * alpha_B
-        - Scalar(3) * t06) - t07 * jerk_E - t14;
-    rhs(1) = omega_B * (omega_B * (t05 * omega_B + Scalar(3) * t12) + Scalar(3) * t03 * alpha_B
-        - Scalar(3) * t15) + t09 * jerk_E + omega_CD * (Scalar(3) * CD_y * alpha_CD + CD_x * t11)
-        - omega_E * (omega_E * (t09 * omega_E + Scalar(3) * t13) + Scalar(3) * t07 * alpha_E
-        - Scalar(3) * t16) - t05 * jerk_B - t17;
-    rhs(2) = omega_B * (Scalar(3) * t06 + omega_B * (Scalar(3) * t04 - t18 * omega_B)
-        + Scalar(3) * t19 * alpha_B) + t18 * jerk_B + omega_GF * (Scalar(3) * GF_x * alpha_GF
-        - GF_y * t22) - omega_E * (Scalar(3) * t10 + omega_E * (Scalar(3) * t08 - t20 * omega_E)
-        + Scalar(3) * t21 * alpha_E) - t20 * jerk_E - t14;
-    rhs(3) = omega_E * (Scalar(3) * t16 - omega_E * (Scalar(3) * t13 + t21 * omega_E)
-        - Scalar(3) * t20 * alpha_E) + t21 * jerk_E + omega_GF * (Scalar(3) * GF_y * alpha_GF
-        + GF_x * t22) - omega_B * (Scalar(3) * t15 - omega_B * (Scalar(3) * t12 + t19 * omega_B)
-        - Scalar(3) * t18 * alpha_B) - t19 * jerk_B - t17;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -578,110 +576,6 @@ struct Model11 {
         + BG_y) * omega_B);
   }
 
-  /// The lines n . S = c on which the unknowns move a special point in parallel,
-  /// along n: rows (n_x, n_y, c), two per closure link. S is measured from the origin of the
-  /// link's frame, in the directions of the fixed frame.
-  template <typename Scalar>
-  static void special_point_lines(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, 2 * closure_link_count, 3>& lines) {
-    lines.setZero();
-    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    lines(0, 0) = -u.phi_B.cos;  lines(0, 1) = -u.phi_B.sin;
-    lines(1, 0) = -u.phi_E.cos;  lines(1, 1) = -u.phi_E.sin;
-    lines(1, 2) = -CD_x * u.phi_E.cos - CD_y * u.phi_E.sin;
-    lines(2, 0) = -u.phi_B.cos;  lines(2, 1) = -u.phi_B.sin;
-    lines(3, 0) = -u.phi_E.cos;  lines(3, 1) = -u.phi_E.sin;
-    lines(3, 2) = -GF_x * u.phi_E.cos - GF_y * u.phi_E.sin;
-  }
-
-  /// The signed lengths L: on side i of its link a special point at S moves by
-  /// the sum over k of L(i, k) dq_k/dt along the unit normal n of its line.
-  template <typename Scalar>
-  static void special_point_lengths(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Matrix<Scalar, 2 * closure_link_count, 2>& n,
-      Matrix<Scalar, 2 * closure_link_count, unknown_count>& L) {
-    const Scalar S_CD_x = S(0, 0), S_CD_y = S(0, 1), n_CD_BCG_x = n(0, 0), n_CD_BCG_y = n(0, 1);
-    const Scalar n_CD_EDF_x = n(1, 0), n_CD_EDF_y = n(1, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
-    const Scalar n_GF_BCG_x = n(2, 0), n_GF_BCG_y = n(2, 1), n_GF_EDF_x = n(3, 0);
-    const Scalar n_GF_EDF_y = n(3, 1);
-    L.setZero();
-    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    L(0, 0) = S_CD_x * n_CD_BCG_y - S_CD_y * n_CD_BCG_x;
-    L(0, 2) = n_CD_BCG_x * u.phi_B.cos + n_CD_BCG_y * u.phi_B.sin;
-    L(1, 0) = (S_CD_x - CD_x) * n_CD_EDF_y - (S_CD_y - CD_y) * n_CD_EDF_x;
-    L(1, 3) = n_CD_EDF_x * u.phi_E.cos + n_CD_EDF_y * u.phi_E.sin;
-    L(2, 1) = S_GF_x * n_GF_BCG_y - S_GF_y * n_GF_BCG_x;
-    L(2, 2) = n_GF_BCG_x * u.phi_B.cos + n_GF_BCG_y * u.phi_B.sin;
-    L(3, 1) = (S_GF_x - GF_x) * n_GF_EDF_y - (S_GF_y - GF_y) * n_GF_EDF_x;
-    L(3, 3) = n_GF_EDF_x * u.phi_E.cos + n_GF_EDF_y * u.phi_E.sin;
-  }
-
-  /// The velocity of each special point by each side, less what dq/dt adds.
-  template <typename Scalar>
-  static void special_point_velocities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>&,
-      const Vector<Scalar, input_count>& u_rate, Matrix<Scalar, 2 * closure_link_count, 2>& v) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos;
-    v(0, 0) = v_x_B - (slide_B_y + BC_y) * omega_B;  v(0, 1) = (slide_B_x + BC_x) * omega_B + v_y_B;
-    v(1, 0) = v_x_E - (slide_E_y + ED_y) * omega_E;  v(1, 1) = (slide_E_x + ED_x) * omega_E + v_y_E;
-    v(2, 0) = v_x_B - (slide_B_y + BG_y) * omega_B;  v(2, 1) = v_y_B + (slide_B_x + BG_x) * omega_B;
-    v(3, 0) = v_x_E - (slide_E_y + EF_y) * omega_E;  v(3, 1) = v_y_E + (slide_E_x + EF_x) * omega_E;
-  }
-
-  /// The acceleration of each special point by each side, less what d2q/dt2 adds:
-  /// centripetal and Coriolis terms, and the second rates of the inputs.
-  template <typename Scalar>
-  static void special_point_accelerations(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Matrix<Scalar, closure_link_count, 2>& S,
-      const Vector<Scalar, unknown_count>& q_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      Matrix<Scalar, 2 * closure_link_count, 2>& a) {
-    const Scalar omega_CD = q_rate(0), omega_GF = q_rate(1), v_s_B = q_rate(2), v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5), S_CD_x = S(0, 0);
-    const Scalar S_CD_y = S(0, 1), S_GF_x = S(1, 0), S_GF_y = S(1, 1);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BCG * u.phi_B.sin, BC_y = -d.h_B_BCG * u.phi_B.cos;
-    const Scalar CD_x = d.CD * q.theta_CD.cos, CD_y = d.CD * q.theta_CD.sin;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar ED_x = d.h_E_EDF * u.phi_E.sin, ED_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar t01 = d.h_B_BCG - d.y_G_BCG, BG_x = t01 * u.phi_B.sin + d.x_G_BCG * u.phi_B.cos;
-    const Scalar BG_y = d.x_G_BCG * u.phi_B.sin - t01 * u.phi_B.cos, GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin, t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = t02 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t02 * u.phi_E.cos, t03 = slide_B_x + BC_x;
-    const Scalar t04 = u.phi_B.sin * v_s_B, t05 = slide_B_y + BC_y, t06 = omega_CD * omega_CD;
-    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = slide_E_x + ED_x, t09 = u.phi_E.sin * v_s_E;
-    const Scalar t10 = slide_E_y + ED_y, t11 = u.phi_E.cos * v_s_E, t12 = slide_B_x + BG_x;
-    const Scalar t13 = slide_B_y + BG_y, t14 = omega_GF * omega_GF, t15 = slide_E_x + EF_x;
-    const Scalar t16 = slide_E_y + EF_y;
-    a(0, 0) = a_x_B - omega_B * (t03 * omega_B + Scalar(2) * t04) - t05 * alpha_B - S_CD_x * t06;
-    a(0, 1) = t03 * alpha_B + a_y_B - omega_B * (t05 * omega_B - Scalar(2) * t07) - S_CD_y * t06;
-    a(1, 0) = a_x_E - omega_E * (t08 * omega_E + Scalar(2) * t09) - t10 * alpha_E - (S_CD_x
-        - CD_x) * t06;
-    a(1, 1) = t08 * alpha_E + a_y_E - omega_E * (t10 * omega_E - Scalar(2) * t11) - (S_CD_y
-        - CD_y) * t06;
-    a(2, 0) = a_x_B - omega_B * (Scalar(2) * t04 + t12 * omega_B) - t13 * alpha_B - S_GF_x * t14;
-    a(2, 1) = a_y_B + omega_B * (Scalar(2) * t07 - t13 * omega_B) + t12 * alpha_B - S_GF_y * t14;
-    a(3, 0) = a_x_E - omega_E * (Scalar(2) * t09 + t15 * omega_E) - t16 * alpha_E - (S_GF_x
-        - GF_x) * t14;
-    a(3, 1) = a_y_E + omega_E * (Scalar(2) * t11 - t16 * omega_E) + t15 * alpha_E - (S_GF_y
-        - GF_y) * t14;
-  }
-
   /// The divisors p of the elimination, pivots of the core first; the size that each could
   /// have in these loops; and the size of the terms of the determinant of the core.
   /// det J = sin(phi_B - phi_E) sin(theta_CD - theta_GF) GF CD
@@ -753,174 +647,6 @@ struct Model11 {
     J_inverse(3, 1) = q.theta_CD.sin * s_E_per_along_CD;
     J_inverse(3, 2) = q.theta_GF.cos * s_E_per_along_GF;
     J_inverse(3, 3) = q.theta_GF.sin * s_E_per_along_GF;
-  }
-
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
-    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
-    const Scalar cos_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.cos + q.theta_CD.sin * u.phi_E.sin;
-    const Scalar sin_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.sin - q.theta_CD.sin * u.phi_E.cos;
-    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
-    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
-    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
-    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
-    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
-    const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
-    const Scalar phi_E_across_CD = d.h_E_EDF * cos_phi_E_minus_CD - q.s_E * sin_phi_E_minus_CD;
-    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
-    const Scalar t03 = q.s_E + d.x_F_EDF, t04 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = t04 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
-    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
-        - q.theta_CD.cos * q.theta_GF.sin;
-    const Scalar t05 = d.CD * d.GF, t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
-    const Scalar pivot_product = -t05 * t06;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
-    //     CD = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t07 = inverse * t05, inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
-    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07, t08 = inverse * t06;
-    const Scalar inverse_GF = -d.CD * t08, inverse_CD = -d.GF * t08;
-    const Scalar t09 = inverse_sin_phi_B_minus_phi_E * inverse_sin_CD_minus_GF;
-    const Scalar s_B_per_along_CD = -cos_phi_E_minus_GF * t09;
-    const Scalar s_E_per_along_CD = -cos_phi_B_minus_GF * t09;
-    const Scalar GF_per_along_CD = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_CD
-        - sin_phi_E_minus_GF * s_E_per_along_CD);
-    const Scalar t10 = sin_phi_B_minus_CD * s_B_per_along_CD;
-    const Scalar t11 = sin_phi_E_minus_CD * s_E_per_along_CD;
-    const Scalar CD_per_along_CD = -inverse_CD * (t10 - t11);
-    const Scalar s_B_per_along_GF = cos_phi_E_minus_CD * t09;
-    const Scalar s_E_per_along_GF = cos_phi_B_minus_CD * t09;
-    const Scalar t12 = sin_phi_B_minus_GF * s_B_per_along_GF;
-    const Scalar t13 = sin_phi_E_minus_GF * s_E_per_along_GF;
-    const Scalar GF_per_along_GF = -inverse_GF * (t12 - t13);
-    const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
-        - sin_phi_E_minus_CD * s_E_per_along_GF);
-    const Scalar CD_per_x_B = inverse_CD * q.theta_CD.sin - CD_per_along_CD * q.theta_CD.cos
-        - CD_per_along_GF * q.theta_GF.cos;
-    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_CD * q.theta_CD.cos
-        - GF_per_along_GF * q.theta_GF.cos;
-    const Scalar s_B_per_x_B = -q.theta_CD.cos * s_B_per_along_CD
-        - q.theta_GF.cos * s_B_per_along_GF;
-    const Scalar s_E_per_x_B = -q.theta_CD.cos * s_E_per_along_CD
-        - q.theta_GF.cos * s_E_per_along_GF;
-    const Scalar CD_per_y_B = -inverse_CD * q.theta_CD.cos - CD_per_along_CD * q.theta_CD.sin
-        - CD_per_along_GF * q.theta_GF.sin;
-    const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
-        - GF_per_along_GF * q.theta_GF.sin;
-    const Scalar s_B_per_y_B = -q.theta_CD.sin * s_B_per_along_CD
-        - q.theta_GF.sin * s_B_per_along_GF;
-    const Scalar s_E_per_y_B = -q.theta_CD.sin * s_E_per_along_CD
-        - q.theta_GF.sin * s_E_per_along_GF;
-    const Scalar t14 = CD_per_along_GF * sin_phi_B_minus_GF;
-    const Scalar t15 = CD_per_along_GF * sin_phi_E_minus_GF;
-    const Scalar t16 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
-    const Scalar t17 = inverse_GF * cos_phi_E_minus_GF - GF_per_along_GF * sin_phi_E_minus_GF;
-    const Scalar t18 = sin_phi_E_minus_GF * s_B_per_along_GF;
-    const Scalar t19 = sin_phi_B_minus_GF * s_E_per_along_GF;
-    S_d(0, 0) = inverse_CD * cos_phi_B_minus_CD - CD_per_along_CD * sin_phi_B_minus_CD - t14;
-    S_d(0, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;  S_d(0, 2) = t14;
-    S_d(0, 3) = CD_per_along_CD * sin_phi_E_minus_CD + t15 - inverse_CD * cos_phi_E_minus_CD;
-    S_d(0, 4) = CD_per_along_GF * cos_phi_E_minus_GF;  S_d(0, 5) = -t15;
-    S_d(0, 6) = -CD_per_along_CD;  S_d(0, 7) = -CD_per_along_GF;
-    S_d(1, 0) = t16 - GF_per_along_CD * sin_phi_B_minus_CD;
-    S_d(1, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
-    S_d(1, 2) = -t16;  S_d(1, 3) = GF_per_along_CD * sin_phi_E_minus_CD - t17;
-    S_d(1, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
-    S_d(1, 5) = t17;  S_d(1, 6) = -GF_per_along_CD;  S_d(1, 7) = -GF_per_along_GF;
-    S_d(2, 0) = -t10 - t12;  S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;  S_d(2, 2) = t12;
-    S_d(2, 3) = sin_phi_E_minus_CD * s_B_per_along_CD + t18;
-    S_d(2, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;  S_d(2, 5) = -t18;
-    S_d(2, 6) = -s_B_per_along_CD;  S_d(2, 7) = -s_B_per_along_GF;
-    S_d(3, 0) = -sin_phi_B_minus_CD * s_E_per_along_CD - t19;
-    S_d(3, 1) = -cos_phi_B_minus_GF * s_E_per_along_GF;  S_d(3, 2) = t19;  S_d(3, 3) = t11 + t13;
-    S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;  S_d(3, 5) = -t13;
-    S_d(3, 6) = -s_E_per_along_CD;  S_d(3, 7) = -s_E_per_along_GF;
-    S_u(0, 0) = CD_per_x_B;  S_u(0, 1) = CD_per_y_B;
-    S_u(0, 2) = CD_per_along_CD * phi_B_across_CD + CD_per_along_GF * phi_B_across_GF
-        - inverse_CD * phi_B_along_CD;
-    S_u(0, 3) = -CD_per_x_B;  S_u(0, 4) = -CD_per_y_B;
-    S_u(0, 5) = CD_per_along_CD * phi_E_across_CD + CD_per_along_GF * phi_E_across_GF
-        - inverse_CD * phi_E_along_CD;
-    S_u(1, 0) = GF_per_x_B;  S_u(1, 1) = GF_per_y_B;
-    S_u(1, 2) = GF_per_along_CD * phi_B_across_CD + GF_per_along_GF * phi_B_across_GF
-        - inverse_GF * phi_B_along_GF;
-    S_u(1, 3) = -GF_per_x_B;  S_u(1, 4) = -GF_per_y_B;
-    S_u(1, 5) = GF_per_along_CD * phi_E_across_CD + GF_per_along_GF * phi_E_across_GF
-        - inverse_GF * phi_E_along_GF;
-    S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;
-    S_u(2, 2) = phi_B_across_CD * s_B_per_along_CD + phi_B_across_GF * s_B_per_along_GF;
-    S_u(2, 3) = -s_B_per_x_B;  S_u(2, 4) = -s_B_per_y_B;
-    S_u(2, 5) = phi_E_across_CD * s_B_per_along_CD + phi_E_across_GF * s_B_per_along_GF;
-    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;
-    S_u(3, 2) = phi_B_across_CD * s_E_per_along_CD + phi_B_across_GF * s_E_per_along_GF;
-    S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;
-    S_u(3, 5) = phi_E_across_CD * s_E_per_along_CD + phi_E_across_GF * s_E_per_along_GF;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
-    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
-    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
-    const Scalar cos_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.cos + q.theta_CD.sin * u.phi_E.sin;
-    const Scalar sin_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.sin - q.theta_CD.sin * u.phi_E.cos;
-    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
-    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
-    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
-    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
-    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
-    const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
-    const Scalar phi_E_across_CD = d.h_E_EDF * cos_phi_E_minus_CD - q.s_E * sin_phi_E_minus_CD;
-    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
-    const Scalar t03 = q.s_E + d.x_F_EDF, t04 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = t04 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
-    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
-        - q.theta_CD.cos * q.theta_GF.sin;
-    const Scalar t05 = d.CD * d.GF, t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
-    const Scalar pivot_product = -t05 * t06;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
-    //     CD = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t07 = inverse * t05, inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
-    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07, t08 = inverse * t06;
-    const Scalar inverse_GF = -d.CD * t08, inverse_CD = -d.GF * t08, t09 = v_x_B - v_x_E;
-    const Scalar t10 = v_y_B - v_y_E;
-    const Scalar velocity_along_CD = phi_B_across_CD * omega_B + phi_E_across_CD * omega_E
-        - q.theta_CD.cos * t09 - q.theta_CD.sin * t10;
-    const Scalar velocity_across_CD = q.theta_CD.sin * t09 - q.theta_CD.cos * t10
-        - phi_B_along_CD * omega_B - phi_E_along_CD * omega_E;
-    const Scalar velocity_along_GF = phi_B_across_GF * omega_B + phi_E_across_GF * omega_E
-        - q.theta_GF.cos * t09 - q.theta_GF.sin * t10;
-    const Scalar velocity_across_GF = q.theta_GF.sin * t09 - q.theta_GF.cos * t10
-        - phi_B_along_GF * omega_B - phi_E_along_GF * omega_E;
-    const Scalar t11 = inverse_sin_CD_minus_GF * inverse_sin_phi_B_minus_phi_E;
-    const Scalar v_s_B = t11 * (cos_phi_E_minus_CD * velocity_along_GF
-        - cos_phi_E_minus_GF * velocity_along_CD);
-    const Scalar v_s_E = t11 * (cos_phi_B_minus_CD * velocity_along_GF
-        - cos_phi_B_minus_GF * velocity_along_CD);
-    const Scalar omega_GF = -inverse_GF * (sin_phi_B_minus_GF * v_s_B - sin_phi_E_minus_GF * v_s_E
-        - velocity_across_GF);
-    const Scalar omega_CD = -inverse_CD * (sin_phi_B_minus_CD * v_s_B - sin_phi_E_minus_CD * v_s_E
-        - velocity_across_CD);
-    q_rate(0) = omega_CD;  q_rate(1) = omega_GF;  q_rate(2) = v_s_B;  q_rate(3) = v_s_E;
   }
 
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
@@ -1008,6 +734,15 @@ struct Model11 {
     q_second_rate(3) = a_s_E;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -1016,153 +751,47 @@ struct Model11 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
-    const Scalar cos_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.cos + q.theta_CD.sin * u.phi_B.sin;
-    const Scalar sin_phi_B_minus_CD = q.theta_CD.cos * u.phi_B.sin - u.phi_B.cos * q.theta_CD.sin;
-    const Scalar cos_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.cos + q.theta_CD.sin * u.phi_E.sin;
-    const Scalar sin_phi_E_minus_CD = q.theta_CD.cos * u.phi_E.sin - q.theta_CD.sin * u.phi_E.cos;
-    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
-    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
-    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
-    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_CD = q.s_B * cos_phi_B_minus_CD + d.h_B_BCG * sin_phi_B_minus_CD;
-    const Scalar phi_B_across_CD = q.s_B * sin_phi_B_minus_CD - d.h_B_BCG * cos_phi_B_minus_CD;
-    const Scalar phi_E_along_CD = -q.s_E * cos_phi_E_minus_CD - d.h_E_EDF * sin_phi_E_minus_CD;
-    const Scalar phi_E_across_CD = d.h_E_EDF * cos_phi_E_minus_CD - q.s_E * sin_phi_E_minus_CD;
-    const Scalar t01 = q.s_B + d.x_G_BCG, t02 = d.h_B_BCG - d.y_G_BCG;
-    const Scalar phi_B_along_GF = t01 * cos_phi_B_minus_GF + t02 * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = t01 * sin_phi_B_minus_GF - t02 * cos_phi_B_minus_GF;
-    const Scalar t03 = q.s_E + d.x_F_EDF, t04 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar phi_E_along_GF = -t03 * cos_phi_E_minus_GF - t04 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = t04 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
-    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    const Scalar sin_CD_minus_GF = q.theta_CD.sin * q.theta_GF.cos
-        - q.theta_CD.cos * q.theta_GF.sin;
-    const Scalar t05 = d.CD * d.GF, t06 = sin_phi_B_minus_phi_E * sin_CD_minus_GF;
-    const Scalar pivot_product = -t05 * t06;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(theta_CD - theta_GF) = 0, or GF = 0, or
-    //     CD = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t07 = inverse * t05, inverse_sin_phi_B_minus_phi_E = sin_CD_minus_GF * t07;
-    const Scalar inverse_sin_CD_minus_GF = -sin_phi_B_minus_phi_E * t07, t08 = inverse * t06;
-    const Scalar inverse_GF = -d.CD * t08, inverse_CD = -d.GF * t08;
-    const Scalar t09 = inverse_sin_phi_B_minus_phi_E * inverse_sin_CD_minus_GF;
-    const Scalar s_B_per_along_CD = -cos_phi_E_minus_GF * t09;
-    const Scalar s_E_per_along_CD = -cos_phi_B_minus_GF * t09;
-    const Scalar GF_per_along_CD = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_along_CD
-        - sin_phi_E_minus_GF * s_E_per_along_CD);
-    const Scalar t10 = sin_phi_B_minus_CD * s_B_per_along_CD;
-    const Scalar t11 = sin_phi_E_minus_CD * s_E_per_along_CD;
-    const Scalar CD_per_along_CD = -inverse_CD * (t10 - t11);
-    const Scalar s_B_per_along_GF = cos_phi_E_minus_CD * t09;
-    const Scalar s_E_per_along_GF = cos_phi_B_minus_CD * t09;
-    const Scalar t12 = sin_phi_B_minus_GF * s_B_per_along_GF;
-    const Scalar t13 = sin_phi_E_minus_GF * s_E_per_along_GF;
-    const Scalar GF_per_along_GF = -inverse_GF * (t12 - t13);
-    const Scalar CD_per_along_GF = -inverse_CD * (sin_phi_B_minus_CD * s_B_per_along_GF
-        - sin_phi_E_minus_CD * s_E_per_along_GF);
-    const Scalar CD_per_x_B = inverse_CD * q.theta_CD.sin - CD_per_along_CD * q.theta_CD.cos
-        - CD_per_along_GF * q.theta_GF.cos;
-    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_CD * q.theta_CD.cos
-        - GF_per_along_GF * q.theta_GF.cos;
-    const Scalar s_B_per_x_B = -q.theta_CD.cos * s_B_per_along_CD
-        - q.theta_GF.cos * s_B_per_along_GF;
-    const Scalar s_E_per_x_B = -q.theta_CD.cos * s_E_per_along_CD
-        - q.theta_GF.cos * s_E_per_along_GF;
-    const Scalar CD_per_y_B = -inverse_CD * q.theta_CD.cos - CD_per_along_CD * q.theta_CD.sin
-        - CD_per_along_GF * q.theta_GF.sin;
-    const Scalar GF_per_y_B = -GF_per_along_CD * q.theta_CD.sin - inverse_GF * q.theta_GF.cos
-        - GF_per_along_GF * q.theta_GF.sin;
-    const Scalar s_B_per_y_B = -q.theta_CD.sin * s_B_per_along_CD
-        - q.theta_GF.sin * s_B_per_along_GF;
-    const Scalar s_E_per_y_B = -q.theta_CD.sin * s_E_per_along_CD
-        - q.theta_GF.sin * s_E_per_along_GF;
-    const Scalar CD_per_phi_B = CD_per_along_CD * phi_B_across_CD
-        + CD_per_along_GF * phi_B_across_GF - inverse_CD * phi_B_along_CD;
-    const Scalar GF_per_phi_B = GF_per_along_CD * phi_B_across_CD
-        + GF_per_along_GF * phi_B_across_GF - inverse_GF * phi_B_along_GF;
-    const Scalar s_B_per_phi_B = phi_B_across_CD * s_B_per_along_CD
-        + phi_B_across_GF * s_B_per_along_GF;
-    const Scalar s_E_per_phi_B = phi_B_across_CD * s_E_per_along_CD
-        + phi_B_across_GF * s_E_per_along_GF;
-    const Scalar CD_per_phi_E = CD_per_along_CD * phi_E_across_CD
-        + CD_per_along_GF * phi_E_across_GF - inverse_CD * phi_E_along_CD;
-    const Scalar GF_per_phi_E = GF_per_along_CD * phi_E_across_CD
-        + GF_per_along_GF * phi_E_across_GF - inverse_GF * phi_E_along_GF;
-    const Scalar s_B_per_phi_E = phi_E_across_CD * s_B_per_along_CD
-        + phi_E_across_GF * s_B_per_along_GF;
-    const Scalar s_E_per_phi_E = phi_E_across_CD * s_E_per_along_CD
-        + phi_E_across_GF * s_E_per_along_GF;
     const Scalar t14 = v_x_B - v_x_E, t15 = v_y_B - v_y_E;
-    const Scalar omega_CD = CD_per_x_B * t14 + CD_per_y_B * t15 + CD_per_phi_B * omega_B
-        + CD_per_phi_E * omega_E;
-    const Scalar omega_GF = GF_per_x_B * t14 + GF_per_y_B * t15 + GF_per_phi_B * omega_B
-        + GF_per_phi_E * omega_E;
-    const Scalar v_s_B = s_B_per_x_B * t14 + s_B_per_y_B * t15 + s_B_per_phi_B * omega_B
-        + s_B_per_phi_E * omega_E;
-    const Scalar v_s_E = s_E_per_x_B * t14 + s_E_per_y_B * t15 + s_E_per_phi_B * omega_B
-        + s_E_per_phi_E * omega_E;
-    const Scalar centripetal_along_CD = omega_B * (Scalar(2) * sin_phi_B_minus_CD * v_s_B
-        + phi_B_along_CD * omega_B) + d.CD * omega_CD * omega_CD
-        - omega_E * (Scalar(2) * sin_phi_E_minus_CD * v_s_E - phi_E_along_CD * omega_E);
-    const Scalar centripetal_across_CD = omega_E * (Scalar(2) * cos_phi_E_minus_CD * v_s_E
-        + phi_E_across_CD * omega_E) - omega_B * (Scalar(2) * cos_phi_B_minus_CD * v_s_B
-        - phi_B_across_CD * omega_B);
-    const Scalar centripetal_along_GF = omega_B * (Scalar(2) * sin_phi_B_minus_GF * v_s_B
-        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF
-        - omega_E * (Scalar(2) * sin_phi_E_minus_GF * v_s_E - phi_E_along_GF * omega_E);
-    const Scalar centripetal_across_GF = omega_E * (Scalar(2) * cos_phi_E_minus_GF * v_s_E
-        + phi_E_across_GF * omega_E) - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B
-        - phi_B_across_GF * omega_B);
-    const Scalar t16 = CD_per_along_GF * sin_phi_B_minus_GF;
-    const Scalar t17 = CD_per_along_GF * sin_phi_E_minus_GF;
-    const Scalar t18 = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
-    const Scalar t19 = inverse_GF * cos_phi_E_minus_GF - GF_per_along_GF * sin_phi_E_minus_GF;
-    const Scalar t20 = sin_phi_E_minus_GF * s_B_per_along_GF;
-    const Scalar t21 = sin_phi_B_minus_GF * s_E_per_along_GF, t22 = a_x_B - a_x_E;
-    const Scalar t23 = a_y_B - a_y_E;
-    S_d(0, 0) = inverse_CD * cos_phi_B_minus_CD - CD_per_along_CD * sin_phi_B_minus_CD - t16;
-    S_d(0, 1) = -CD_per_along_GF * cos_phi_B_minus_GF;  S_d(0, 2) = t16;
-    S_d(0, 3) = CD_per_along_CD * sin_phi_E_minus_CD + t17 - inverse_CD * cos_phi_E_minus_CD;
-    S_d(0, 4) = CD_per_along_GF * cos_phi_E_minus_GF;  S_d(0, 5) = -t17;
-    S_d(0, 6) = -CD_per_along_CD;  S_d(0, 7) = -CD_per_along_GF;
-    S_d(1, 0) = t18 - GF_per_along_CD * sin_phi_B_minus_CD;
-    S_d(1, 1) = -GF_per_along_GF * cos_phi_B_minus_GF - inverse_GF * sin_phi_B_minus_GF;
-    S_d(1, 2) = -t18;  S_d(1, 3) = GF_per_along_CD * sin_phi_E_minus_CD - t19;
-    S_d(1, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
-    S_d(1, 5) = t19;  S_d(1, 6) = -GF_per_along_CD;  S_d(1, 7) = -GF_per_along_GF;
-    S_d(2, 0) = -t10 - t12;  S_d(2, 1) = -cos_phi_B_minus_GF * s_B_per_along_GF;  S_d(2, 2) = t12;
-    S_d(2, 3) = sin_phi_E_minus_CD * s_B_per_along_CD + t20;
-    S_d(2, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;  S_d(2, 5) = -t20;
-    S_d(2, 6) = -s_B_per_along_CD;  S_d(2, 7) = -s_B_per_along_GF;
-    S_d(3, 0) = -sin_phi_B_minus_CD * s_E_per_along_CD - t21;
-    S_d(3, 1) = -cos_phi_B_minus_GF * s_E_per_along_GF;  S_d(3, 2) = t21;  S_d(3, 3) = t11 + t13;
-    S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;  S_d(3, 5) = -t13;
-    S_d(3, 6) = -s_E_per_along_CD;  S_d(3, 7) = -s_E_per_along_GF;
-    S_u(0, 0) = CD_per_x_B;  S_u(0, 1) = CD_per_y_B;  S_u(0, 2) = CD_per_phi_B;
-    S_u(0, 3) = -CD_per_x_B;  S_u(0, 4) = -CD_per_y_B;  S_u(0, 5) = CD_per_phi_E;
-    S_u(1, 0) = GF_per_x_B;  S_u(1, 1) = GF_per_y_B;  S_u(1, 2) = GF_per_phi_B;
-    S_u(1, 3) = -GF_per_x_B;  S_u(1, 4) = -GF_per_y_B;  S_u(1, 5) = GF_per_phi_E;
-    S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;  S_u(2, 2) = s_B_per_phi_B;
-    S_u(2, 3) = -s_B_per_x_B;  S_u(2, 4) = -s_B_per_y_B;  S_u(2, 5) = s_B_per_phi_E;
-    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
-    S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;  S_u(3, 5) = s_E_per_phi_E;
+    const Scalar omega_CD = s.CD_per_x_B * t14 + s.CD_per_y_B * t15 + s.CD_per_phi_B * omega_B
+        + s.CD_per_phi_E * omega_E;
+    const Scalar omega_GF = s.GF_per_x_B * t14 + s.GF_per_y_B * t15 + s.GF_per_phi_B * omega_B
+        + s.GF_per_phi_E * omega_E;
+    const Scalar v_s_B = s.s_B_per_x_B * t14 + s.s_B_per_y_B * t15 + s.s_B_per_phi_B * omega_B
+        + s.s_B_per_phi_E * omega_E;
+    const Scalar v_s_E = s.s_E_per_x_B * t14 + s.s_E_per_y_B * t15 + s.s_E_per_phi_B * omega_B
+        + s.s_E_per_phi_E * omega_E;
+    const Scalar centripetal_along_CD = omega_B * (Scalar(2) * s.sin_phi_B_minus_CD * v_s_B
+        + s.phi_B_along_CD * omega_B) + d.CD * omega_CD * omega_CD
+        - omega_E * (Scalar(2) * s.sin_phi_E_minus_CD * v_s_E - s.phi_E_along_CD * omega_E);
+    const Scalar centripetal_across_CD = omega_E * (Scalar(2) * s.cos_phi_E_minus_CD * v_s_E
+        + s.phi_E_across_CD * omega_E) - omega_B * (Scalar(2) * s.cos_phi_B_minus_CD * v_s_B
+        - s.phi_B_across_CD * omega_B);
+    const Scalar centripetal_along_GF = omega_B * (Scalar(2) * s.sin_phi_B_minus_GF * v_s_B
+        + s.phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF
+        - omega_E * (Scalar(2) * s.sin_phi_E_minus_GF * v_s_E - s.phi_E_along_GF * omega_E);
+    const Scalar centripetal_across_GF = omega_E * (Scalar(2) * s.cos_phi_E_minus_GF * v_s_E
+        + s.phi_E_across_GF * omega_E) - omega_B * (Scalar(2) * s.cos_phi_B_minus_GF * v_s_B
+        - s.phi_B_across_GF * omega_B);
+    const Scalar t22 = a_x_B - a_x_E, t23 = a_y_B - a_y_E;
     q_rate(0) = omega_CD;  q_rate(1) = omega_GF;  q_rate(2) = v_s_B;  q_rate(3) = v_s_E;
-    q_second_rate(0) = CD_per_x_B * t22 + CD_per_y_B * t23 + CD_per_phi_B * alpha_B
-        + CD_per_phi_E * alpha_E + inverse_CD * centripetal_across_CD
-        + CD_per_along_CD * centripetal_along_CD + CD_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = GF_per_x_B * t22 + GF_per_y_B * t23 + GF_per_phi_B * alpha_B
-        + GF_per_phi_E * alpha_E + inverse_GF * centripetal_across_GF
-        + GF_per_along_CD * centripetal_along_CD + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = s_B_per_x_B * t22 + s_B_per_y_B * t23 + s_B_per_phi_B * alpha_B
-        + s_B_per_phi_E * alpha_E + s_B_per_along_CD * centripetal_along_CD
-        + s_B_per_along_GF * centripetal_along_GF;
-    q_second_rate(3) = s_E_per_x_B * t22 + s_E_per_y_B * t23 + s_E_per_phi_B * alpha_B
-        + s_E_per_phi_E * alpha_E + s_E_per_along_CD * centripetal_along_CD
-        + s_E_per_along_GF * centripetal_along_GF;
+    q_second_rate(0) = s.CD_per_x_B * t22 + s.CD_per_y_B * t23 + s.CD_per_phi_B * alpha_B
+        + s.CD_per_phi_E * alpha_E + s.inverse_CD * centripetal_across_CD
+        + s.CD_per_along_CD * centripetal_along_CD + s.CD_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = s.GF_per_x_B * t22 + s.GF_per_y_B * t23 + s.GF_per_phi_B * alpha_B
+        + s.GF_per_phi_E * alpha_E + s.inverse_GF * centripetal_across_GF
+        + s.GF_per_along_CD * centripetal_along_CD + s.GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = s.s_B_per_x_B * t22 + s.s_B_per_y_B * t23 + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_phi_E * alpha_E + s.s_B_per_along_CD * centripetal_along_CD
+        + s.s_B_per_along_GF * centripetal_along_GF;
+    q_second_rate(3) = s.s_E_per_x_B * t22 + s.s_E_per_y_B * t23 + s.s_E_per_phi_B * alpha_B
+        + s.s_E_per_phi_E * alpha_E + s.s_E_per_along_CD * centripetal_along_CD
+        + s.s_E_per_along_GF * centripetal_along_GF;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

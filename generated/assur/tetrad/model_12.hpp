@@ -28,19 +28,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: by BCG link CD is only shifted, by s_B and s_C, which are
-///     not parallel.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     24, 26, 0
 ///   jacobian:                     14, 8, 0
 ///   dimension_jacobian:           10, 6, 0
 ///   input_jacobian:               14, 12, 0
-///   velocity_rhs:                 18, 18, 0
-///   acceleration_rhs:             57, 40, 0
-///   jerk_rhs:                     105, 62, 0
 ///   curvature_rhs:                97, 57, 0
 ///   link_poses:                   14, 14, 0
 ///   pose_jacobians:               14, 14, 0
@@ -49,9 +41,8 @@ namespace assur::tetrad {
 ///   pose_curvatures:              63, 38, 0
 ///   degeneracies:                 16, 16, 0
 ///   inverse_jacobian:             46, 18, 1
-///   sensitivities:                80, 48, 1
-///   velocity:                     48, 33, 1
 ///   motion:                       87, 63, 1
+///   sensitivities:                80, 48, 1
 ///   sensitivities_and_motion:     136, 88, 1
 ///   position_polynomial:          34, 21, 0
 ///   second_equations:             20, 18, 0
@@ -69,7 +60,7 @@ struct Model12 {
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 4;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -178,6 +169,116 @@ struct Model12 {
       {"RRP-PPR", { 3, 4, 5, 0, 1, 2 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_phi_B_minus_EDF = u.phi_B.cos * q.theta_EDF.cos
+        + u.phi_B.sin * q.theta_EDF.sin;
+    const Scalar sin_phi_B_minus_EDF = u.phi_B.sin * q.theta_EDF.cos
+        - u.phi_B.cos * q.theta_EDF.sin;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
+    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
+    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - d.x_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
+        - d.y_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_EDF
+        + d.h_B_BCG * sin_phi_B_minus_EDF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_EDF
+        - d.h_B_BCG * cos_phi_B_minus_EDF;
+    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
+    const Scalar determinant = EDF_along_slide_C * sin_phi_B_minus_EDF - q.s_F * d.psi_C_BCG.sin;
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
+    const Scalar EDF_per_across_slide_C = inverse * sin_phi_B_minus_EDF;
+    const Scalar s_B_per_across_slide_C = q.s_F * inverse;
+    const Scalar s_F_per_across_slide_C = cos_phi_B_minus_EDF * s_B_per_across_slide_C
+        - EDF_across_slide_F * EDF_per_across_slide_C;
+    const Scalar t02 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C - t02;
+    const Scalar EDF_per_across_slide_F = inverse * d.psi_C_BCG.sin;
+    const Scalar s_B_per_across_slide_F = EDF_along_slide_C * inverse;
+    const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_F;
+    const Scalar s_F_per_across_slide_F = t03 - EDF_across_slide_F * EDF_per_across_slide_F;
+    const Scalar s_C_per_across_slide_F = EDF_across_slide_C * EDF_per_across_slide_F
+        - d.psi_C_BCG.cos * s_B_per_across_slide_F;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_F * q.theta_EDF.sin
+        + EDF_per_across_slide_C * sin_CD;
+    const Scalar s_B_per_x_B = q.theta_EDF.sin * s_B_per_across_slide_F
+        + sin_CD * s_B_per_across_slide_C;
+    const Scalar s_C_per_x_B = q.theta_EDF.sin * s_C_per_across_slide_F
+        + sin_CD * s_C_per_across_slide_C - cos_CD;
+    const Scalar s_F_per_x_B = q.theta_EDF.cos + q.theta_EDF.sin * s_F_per_across_slide_F
+        + sin_CD * s_F_per_across_slide_C;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_F * q.theta_EDF.cos
+        - EDF_per_across_slide_C * cos_CD;
+    const Scalar s_B_per_y_B = -q.theta_EDF.cos * s_B_per_across_slide_F
+        - cos_CD * s_B_per_across_slide_C;
+    const Scalar s_C_per_y_B = -sin_CD - q.theta_EDF.cos * s_C_per_across_slide_F
+        - cos_CD * s_C_per_across_slide_C;
+    const Scalar s_F_per_y_B = q.theta_EDF.sin - q.theta_EDF.cos * s_F_per_across_slide_F
+        - cos_CD * s_F_per_across_slide_C;
+    const Scalar EDF_per_phi_B = -EDF_per_across_slide_C * phi_B_along_slide_C
+        - EDF_per_across_slide_F * phi_B_along_slide_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_C * s_B_per_across_slide_C
+        - phi_B_along_slide_F * s_B_per_across_slide_F;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_F * s_C_per_across_slide_F;
+    const Scalar s_F_per_phi_B = -phi_B_along_slide_C * s_F_per_across_slide_C
+        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = EDF_per_across_slide_C * d.psi_C_BCG.cos
+          + EDF_per_across_slide_F * cos_phi_B_minus_EDF;
+      S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;  S_d(0, 2) = -EDF_per_across_slide_C;
+      S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+      S_d(0, 4) = EDF_per_across_slide_C * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+      S_d(0, 5) = EDF_per_across_slide_F;  S_d(0, 6) = EDF_per_across_slide_C;
+      S_d(0, 7) = -EDF_per_across_slide_F;
+      S_d(1, 0) = t02 + t03;  S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
+      S_d(1, 2) = -s_B_per_across_slide_C;
+      S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+      S_d(1, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+      S_d(1, 5) = s_B_per_across_slide_F;  S_d(1, 6) = s_B_per_across_slide_C;
+      S_d(1, 7) = -s_B_per_across_slide_F;
+      S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+          + cos_phi_B_minus_EDF * s_C_per_across_slide_F;
+      S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(2, 2) = -s_C_per_across_slide_C;
+      S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
+          + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+      S_d(2, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C
+          - sin_EDF_minus_phi_B_minus_psi_C_BCG;
+      S_d(2, 5) = s_C_per_across_slide_F;  S_d(2, 6) = s_C_per_across_slide_C;
+      S_d(2, 7) = -s_C_per_across_slide_F;
+      S_d(3, 0) = sin_phi_B_minus_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
+          + cos_phi_B_minus_EDF * s_F_per_across_slide_F;
+      S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;  S_d(3, 2) = -s_F_per_across_slide_C;
+      S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
+      S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
+      S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = s_F_per_across_slide_C;
+      S_d(3, 7) = -s_F_per_across_slide_F;
+      S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;  S_u(0, 2) = EDF_per_phi_B;
+      S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+      S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+      S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+      S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
+      S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
+      S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
+      S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -254,113 +355,6 @@ struct Model12 {
     F_u(1, 4) = -Scalar(1);
     F_u(2, 0) = Scalar(1);  F_u(2, 2) = -slide_B_y - BG_y;  F_u(2, 3) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B - t01;
-    rhs(1) = -(slide_B_x + BC_x + slide_C_x + CD_x) * omega_B - t02;
-    rhs(2) = (slide_B_y + BG_y) * omega_B - t01;  rhs(3) = -t02 - (slide_B_x + BG_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t01 = slide_B_x + BC_x + slide_C_x + CD_x, t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + BC_y + slide_C_y + CD_y, t04 = a_x_B - a_x_E;
-    const Scalar t05 = omega_EDF * omega_EDF, t06 = u.phi_B.cos * v_s_B, t07 = a_y_B - a_y_E;
-    const Scalar t08 = slide_B_x + BG_x, t09 = slide_B_y + BG_y;
-    rhs(0) = omega_B * (t01 * omega_B + Scalar(2) * t02 + Scalar(2) * sin_CD * v_s_C)
-        + t03 * alpha_B - t04 - ED_x * t05;
-    rhs(1) = omega_B * (t03 * omega_B - Scalar(2) * t06 - Scalar(2) * cos_CD * v_s_C)
-        - t01 * alpha_B - t07 - ED_y * t05;
-    rhs(2) = omega_EDF * ((GF_x - EF_x - slide_F_x) * omega_EDF
-        - Scalar(2) * q.theta_EDF.sin * v_s_F) + omega_B * (Scalar(2) * t02 + t08 * omega_B)
-        + t09 * alpha_B - t04;
-    rhs(3) = omega_EDF * ((GF_y - EF_y - slide_F_y) * omega_EDF
-        + Scalar(2) * q.theta_EDF.cos * v_s_F) - omega_B * (Scalar(2) * t06 - t09 * omega_B)
-        - t08 * alpha_B - t07;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0), alpha_EDF = q_second_rate(0), v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD;
-    const Scalar ED_x = d.x_D_EDF * q.theta_EDF.cos - d.y_D_EDF * q.theta_EDF.sin;
-    const Scalar ED_y = d.y_D_EDF * q.theta_EDF.cos + d.x_D_EDF * q.theta_EDF.sin;
-    const Scalar GF_x = -d.h_F_GF * q.theta_EDF.sin, GF_y = d.h_F_GF * q.theta_EDF.cos;
-    const Scalar EF_x = -d.h_F_EDF * q.theta_EDF.sin, EF_y = d.h_F_EDF * q.theta_EDF.cos;
-    const Scalar slide_F_x = q.s_F * q.theta_EDF.cos, slide_F_y = q.s_F * q.theta_EDF.sin;
-    const Scalar t01 = slide_B_y + BC_y + slide_C_y + CD_y, t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = t02 + sin_CD * v_s_C, t04 = j_x_B - j_x_E, t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = slide_B_x + BC_x + slide_C_x + CD_x, t07 = u.phi_B.sin * a_s_B;
-    const Scalar t08 = u.phi_B.cos * v_s_B, t09 = t08 + cos_CD * v_s_C, t10 = j_y_B - j_y_E;
-    const Scalar t11 = u.phi_B.cos * a_s_B, t12 = GF_y - EF_y - slide_F_y;
-    const Scalar t13 = q.theta_EDF.cos * v_s_F, t14 = GF_x - EF_x - slide_F_x;
-    const Scalar t15 = slide_B_y + BG_y, t16 = slide_B_x + BG_x, t17 = q.theta_EDF.sin * v_s_F;
-    rhs(0) = t01 * jerk_B + Scalar(3) * alpha_B * t03 + omega_B * (Scalar(3) * t06 * alpha_B
-        + Scalar(3) * t07 + Scalar(3) * sin_CD * a_s_C - omega_B * (t01 * omega_B
-        - Scalar(3) * t09)) - t04 - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t05);
-    rhs(1) = omega_B * (Scalar(3) * t01 * alpha_B + omega_B * (Scalar(3) * t03 + t06 * omega_B)
-        - Scalar(3) * t11 - Scalar(3) * cos_CD * a_s_C) - t06 * jerk_B - Scalar(3) * t09 * alpha_B
-        - t10 - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t05);
-    rhs(2) = omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - t15 * omega_B)
-        + Scalar(3) * t16 * alpha_B) + t15 * jerk_B + Scalar(3) * alpha_B * t02 - t04
-        - omega_EDF * (omega_EDF * (t12 * omega_EDF + Scalar(3) * t13)
-        + Scalar(3) * q.theta_EDF.sin * a_s_F - Scalar(3) * t14 * alpha_EDF)
-        - Scalar(3) * alpha_EDF * t17;
-    rhs(3) = omega_EDF * (omega_EDF * (t14 * omega_EDF - Scalar(3) * t17)
-        + Scalar(3) * t12 * alpha_EDF + Scalar(3) * q.theta_EDF.cos * a_s_F)
-        + Scalar(3) * alpha_EDF * t13 - t10 - omega_B * (Scalar(3) * t11
-        - omega_B * (Scalar(3) * t02 + t16 * omega_B) - Scalar(3) * t15 * alpha_B) - t16 * jerk_B
-        - Scalar(3) * t08 * alpha_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -650,163 +644,6 @@ struct Model12 {
     J_inverse(3, 3) = q.theta_EDF.cos * s_F_per_across_slide_F - q.theta_EDF.sin;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
-        + q.theta_EDF.sin * sin_CD;
-    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
-        - q.theta_EDF.cos * sin_CD;
-    const Scalar cos_phi_B_minus_EDF = u.phi_B.cos * q.theta_EDF.cos
-        + u.phi_B.sin * q.theta_EDF.sin;
-    const Scalar sin_phi_B_minus_EDF = u.phi_B.sin * q.theta_EDF.cos
-        - u.phi_B.cos * q.theta_EDF.sin;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
-        - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
-    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
-    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
-        - d.x_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
-        - d.y_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_EDF
-        + d.h_B_BCG * sin_phi_B_minus_EDF;
-    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_EDF
-        - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar determinant = EDF_along_slide_C * sin_phi_B_minus_EDF - q.s_F * d.psi_C_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar EDF_per_across_slide_C = inverse * sin_phi_B_minus_EDF;
-    const Scalar s_B_per_across_slide_C = q.s_F * inverse;
-    const Scalar s_F_per_across_slide_C = cos_phi_B_minus_EDF * s_B_per_across_slide_C
-        - EDF_across_slide_F * EDF_per_across_slide_C;
-    const Scalar t02 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C - t02;
-    const Scalar EDF_per_across_slide_F = inverse * d.psi_C_BCG.sin;
-    const Scalar s_B_per_across_slide_F = EDF_along_slide_C * inverse;
-    const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_F;
-    const Scalar s_F_per_across_slide_F = t03 - EDF_across_slide_F * EDF_per_across_slide_F;
-    const Scalar s_C_per_across_slide_F = EDF_across_slide_C * EDF_per_across_slide_F
-        - d.psi_C_BCG.cos * s_B_per_across_slide_F;
-    const Scalar EDF_per_x_B = EDF_per_across_slide_F * q.theta_EDF.sin
-        + EDF_per_across_slide_C * sin_CD;
-    const Scalar s_B_per_x_B = q.theta_EDF.sin * s_B_per_across_slide_F
-        + sin_CD * s_B_per_across_slide_C;
-    const Scalar s_C_per_x_B = q.theta_EDF.sin * s_C_per_across_slide_F
-        + sin_CD * s_C_per_across_slide_C - cos_CD;
-    const Scalar s_F_per_x_B = q.theta_EDF.cos + q.theta_EDF.sin * s_F_per_across_slide_F
-        + sin_CD * s_F_per_across_slide_C;
-    const Scalar EDF_per_y_B = -EDF_per_across_slide_F * q.theta_EDF.cos
-        - EDF_per_across_slide_C * cos_CD;
-    const Scalar s_B_per_y_B = -q.theta_EDF.cos * s_B_per_across_slide_F
-        - cos_CD * s_B_per_across_slide_C;
-    const Scalar s_C_per_y_B = -sin_CD - q.theta_EDF.cos * s_C_per_across_slide_F
-        - cos_CD * s_C_per_across_slide_C;
-    const Scalar s_F_per_y_B = q.theta_EDF.sin - q.theta_EDF.cos * s_F_per_across_slide_F
-        - cos_CD * s_F_per_across_slide_C;
-    S_d(0, 0) = EDF_per_across_slide_C * d.psi_C_BCG.cos
-        + EDF_per_across_slide_F * cos_phi_B_minus_EDF;
-    S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;  S_d(0, 2) = -EDF_per_across_slide_C;
-    S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    S_d(0, 4) = EDF_per_across_slide_C * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    S_d(0, 5) = EDF_per_across_slide_F;  S_d(0, 6) = EDF_per_across_slide_C;
-    S_d(0, 7) = -EDF_per_across_slide_F;
-    S_d(1, 0) = t02 + t03;  S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
-    S_d(1, 2) = -s_B_per_across_slide_C;
-    S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(1, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(1, 5) = s_B_per_across_slide_F;  S_d(1, 6) = s_B_per_across_slide_C;
-    S_d(1, 7) = -s_B_per_across_slide_F;
-    S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
-        + cos_phi_B_minus_EDF * s_C_per_across_slide_F;
-    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(2, 2) = -s_C_per_across_slide_C;
-    S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
-        + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
-    S_d(2, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C
-        - sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    S_d(2, 5) = s_C_per_across_slide_F;  S_d(2, 6) = s_C_per_across_slide_C;
-    S_d(2, 7) = -s_C_per_across_slide_F;
-    S_d(3, 0) = sin_phi_B_minus_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
-        + cos_phi_B_minus_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;  S_d(3, 2) = -s_F_per_across_slide_C;
-    S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
-    S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
-    S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = s_F_per_across_slide_C;
-    S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;
-    S_u(0, 2) = -EDF_per_across_slide_C * phi_B_along_slide_C
-        - EDF_per_across_slide_F * phi_B_along_slide_F;
-    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = -phi_B_along_slide_C * s_B_per_across_slide_C
-        - phi_B_along_slide_F * s_B_per_across_slide_F;
-    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
-        - phi_B_along_slide_F * s_C_per_across_slide_F;
-    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;
-    S_u(3, 2) = -phi_B_along_slide_C * s_F_per_across_slide_C
-        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
-    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
-        + q.theta_EDF.sin * sin_CD;
-    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
-        - q.theta_EDF.cos * sin_CD;
-    const Scalar cos_phi_B_minus_EDF = u.phi_B.cos * q.theta_EDF.cos
-        + u.phi_B.sin * q.theta_EDF.sin;
-    const Scalar sin_phi_B_minus_EDF = u.phi_B.sin * q.theta_EDF.cos
-        - u.phi_B.cos * q.theta_EDF.sin;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
-        - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin
-        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_C_CD;
-    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
-        - d.x_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
-        - d.y_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_EDF
-        + d.h_B_BCG * sin_phi_B_minus_EDF;
-    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_EDF
-        - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar determinant = EDF_along_slide_C * sin_phi_B_minus_EDF - q.s_F * d.psi_C_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t01
-        - sin_CD * t02;
-    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
-        - phi_B_along_slide_C * omega_B;
-    const Scalar velocity_along_slide_F = phi_B_across_slide_F * omega_B - q.theta_EDF.cos * t01
-        - q.theta_EDF.sin * t02;
-    const Scalar velocity_across_slide_F = q.theta_EDF.sin * t01 - q.theta_EDF.cos * t02
-        - phi_B_along_slide_F * omega_B;
-    const Scalar omega_EDF = inverse * (d.psi_C_BCG.sin * velocity_across_slide_F
-        + sin_phi_B_minus_EDF * velocity_across_slide_C);
-    const Scalar v_s_B = inverse * (q.s_F * velocity_across_slide_C
-        + EDF_along_slide_C * velocity_across_slide_F);
-    const Scalar v_s_F = cos_phi_B_minus_EDF * v_s_B - EDF_across_slide_F * omega_EDF
-        - velocity_along_slide_F;
-    const Scalar v_s_C = EDF_across_slide_C * omega_EDF + velocity_along_slide_C
-        - d.psi_C_BCG.cos * v_s_B;
-    q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_F;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -881,6 +718,15 @@ struct Model12 {
     q_second_rate(3) = a_s_F;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -889,138 +735,42 @@ struct Model12 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
-        + q.theta_EDF.sin * sin_CD;
-    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
-        - q.theta_EDF.cos * sin_CD;
-    const Scalar cos_phi_B_minus_EDF = u.phi_B.cos * q.theta_EDF.cos
-        + u.phi_B.sin * q.theta_EDF.sin;
-    const Scalar sin_phi_B_minus_EDF = u.phi_B.sin * q.theta_EDF.cos
-        - u.phi_B.cos * q.theta_EDF.sin;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
-        - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
-    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
-    const Scalar EDF_along_slide_C = d.y_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
-        - d.x_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar EDF_across_slide_C = -d.x_D_EDF * sin_EDF_minus_phi_B_minus_psi_C_BCG
-        - d.y_D_EDF * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_EDF
-        + d.h_B_BCG * sin_phi_B_minus_EDF;
-    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_EDF
-        - d.h_B_BCG * cos_phi_B_minus_EDF;
-    const Scalar EDF_across_slide_F = d.h_F_GF - d.h_F_EDF;
-    const Scalar determinant = EDF_along_slide_C * sin_phi_B_minus_EDF - q.s_F * d.psi_C_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar EDF_per_across_slide_C = inverse * sin_phi_B_minus_EDF;
-    const Scalar s_B_per_across_slide_C = q.s_F * inverse;
-    const Scalar s_F_per_across_slide_C = cos_phi_B_minus_EDF * s_B_per_across_slide_C
-        - EDF_across_slide_F * EDF_per_across_slide_C;
-    const Scalar t02 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C - t02;
-    const Scalar EDF_per_across_slide_F = inverse * d.psi_C_BCG.sin;
-    const Scalar s_B_per_across_slide_F = EDF_along_slide_C * inverse;
-    const Scalar t03 = cos_phi_B_minus_EDF * s_B_per_across_slide_F;
-    const Scalar s_F_per_across_slide_F = t03 - EDF_across_slide_F * EDF_per_across_slide_F;
-    const Scalar s_C_per_across_slide_F = EDF_across_slide_C * EDF_per_across_slide_F
-        - d.psi_C_BCG.cos * s_B_per_across_slide_F;
-    const Scalar EDF_per_x_B = EDF_per_across_slide_F * q.theta_EDF.sin
-        + EDF_per_across_slide_C * sin_CD;
-    const Scalar s_B_per_x_B = q.theta_EDF.sin * s_B_per_across_slide_F
-        + sin_CD * s_B_per_across_slide_C;
-    const Scalar s_C_per_x_B = q.theta_EDF.sin * s_C_per_across_slide_F
-        + sin_CD * s_C_per_across_slide_C - cos_CD;
-    const Scalar s_F_per_x_B = q.theta_EDF.cos + q.theta_EDF.sin * s_F_per_across_slide_F
-        + sin_CD * s_F_per_across_slide_C;
-    const Scalar EDF_per_y_B = -EDF_per_across_slide_F * q.theta_EDF.cos
-        - EDF_per_across_slide_C * cos_CD;
-    const Scalar s_B_per_y_B = -q.theta_EDF.cos * s_B_per_across_slide_F
-        - cos_CD * s_B_per_across_slide_C;
-    const Scalar s_C_per_y_B = -sin_CD - q.theta_EDF.cos * s_C_per_across_slide_F
-        - cos_CD * s_C_per_across_slide_C;
-    const Scalar s_F_per_y_B = q.theta_EDF.sin - q.theta_EDF.cos * s_F_per_across_slide_F
-        - cos_CD * s_F_per_across_slide_C;
-    const Scalar EDF_per_phi_B = -EDF_per_across_slide_C * phi_B_along_slide_C
-        - EDF_per_across_slide_F * phi_B_along_slide_F;
-    const Scalar s_B_per_phi_B = -phi_B_along_slide_C * s_B_per_across_slide_C
-        - phi_B_along_slide_F * s_B_per_across_slide_F;
-    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
-        - phi_B_along_slide_F * s_C_per_across_slide_F;
-    const Scalar s_F_per_phi_B = -phi_B_along_slide_C * s_F_per_across_slide_C
-        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
     const Scalar t04 = v_x_B - v_x_E, t05 = v_y_B - v_y_E;
-    const Scalar omega_EDF = EDF_per_x_B * t04 + EDF_per_y_B * t05 + EDF_per_phi_B * omega_B;
-    const Scalar v_s_B = s_B_per_x_B * t04 + s_B_per_y_B * t05 + s_B_per_phi_B * omega_B;
-    const Scalar v_s_C = s_C_per_x_B * t04 + s_C_per_y_B * t05 + s_C_per_phi_B * omega_B;
-    const Scalar v_s_F = s_F_per_x_B * t04 + s_F_per_y_B * t05 + s_F_per_phi_B * omega_B;
+    const Scalar omega_EDF = s.EDF_per_x_B * t04 + s.EDF_per_y_B * t05 + s.EDF_per_phi_B * omega_B;
+    const Scalar v_s_B = s.s_B_per_x_B * t04 + s.s_B_per_y_B * t05 + s.s_B_per_phi_B * omega_B;
+    const Scalar v_s_C = s.s_C_per_x_B * t04 + s.s_C_per_y_B * t05 + s.s_C_per_phi_B * omega_B;
+    const Scalar v_s_F = s.s_F_per_x_B * t04 + s.s_F_per_y_B * t05 + s.s_F_per_phi_B * omega_B;
     const Scalar t06 = omega_EDF * omega_EDF;
-    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t06
-        - omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B - phi_B_along_slide_C * omega_B);
-    const Scalar centripetal_across_slide_C = EDF_across_slide_C * t06
+    const Scalar centripetal_along_slide_C = s.EDF_along_slide_C * t06
+        - omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B - s.phi_B_along_slide_C * omega_B);
+    const Scalar centripetal_across_slide_C = s.EDF_across_slide_C * t06
         - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
-        - phi_B_across_slide_C * omega_B);
-    const Scalar centripetal_along_slide_F = omega_B * (Scalar(2) * sin_phi_B_minus_EDF * v_s_B
-        + phi_B_along_slide_F * omega_B) - q.s_F * t06;
-    const Scalar centripetal_across_slide_F = omega_EDF * (EDF_across_slide_F * omega_EDF
-        + Scalar(2) * v_s_F) - omega_B * (Scalar(2) * cos_phi_B_minus_EDF * v_s_B
-        - phi_B_across_slide_F * omega_B);
+        - s.phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_slide_F = omega_B * (Scalar(2) * s.sin_phi_B_minus_EDF * v_s_B
+        + s.phi_B_along_slide_F * omega_B) - q.s_F * t06;
+    const Scalar centripetal_across_slide_F = omega_EDF * (s.EDF_across_slide_F * omega_EDF
+        + Scalar(2) * v_s_F) - omega_B * (Scalar(2) * s.cos_phi_B_minus_EDF * v_s_B
+        - s.phi_B_across_slide_F * omega_B);
     const Scalar t07 = a_x_B - a_x_E, t08 = a_y_B - a_y_E;
-    S_d(0, 0) = EDF_per_across_slide_C * d.psi_C_BCG.cos
-        + EDF_per_across_slide_F * cos_phi_B_minus_EDF;
-    S_d(0, 1) = -q.s_C * EDF_per_across_slide_C;  S_d(0, 2) = -EDF_per_across_slide_C;
-    S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    S_d(0, 4) = EDF_per_across_slide_C * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    S_d(0, 5) = EDF_per_across_slide_F;  S_d(0, 6) = EDF_per_across_slide_C;
-    S_d(0, 7) = -EDF_per_across_slide_F;
-    S_d(1, 0) = t02 + t03;  S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
-    S_d(1, 2) = -s_B_per_across_slide_C;
-    S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(1, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(1, 5) = s_B_per_across_slide_F;  S_d(1, 6) = s_B_per_across_slide_C;
-    S_d(1, 7) = -s_B_per_across_slide_F;
-    S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
-        + cos_phi_B_minus_EDF * s_C_per_across_slide_F;
-    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(2, 2) = -s_C_per_across_slide_C;
-    S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
-        + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
-    S_d(2, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C
-        - sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    S_d(2, 5) = s_C_per_across_slide_F;  S_d(2, 6) = s_C_per_across_slide_C;
-    S_d(2, 7) = -s_C_per_across_slide_F;
-    S_d(3, 0) = sin_phi_B_minus_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
-        + cos_phi_B_minus_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;  S_d(3, 2) = -s_F_per_across_slide_C;
-    S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
-    S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
-    S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = s_F_per_across_slide_C;
-    S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;  S_u(0, 2) = EDF_per_phi_B;
-    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
-    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
-    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
     q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_F;
-    q_second_rate(0) = EDF_per_x_B * t07 + EDF_per_y_B * t08 + EDF_per_phi_B * alpha_B
-        + EDF_per_across_slide_C * centripetal_across_slide_C
-        + EDF_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(1) = s_B_per_x_B * t07 + s_B_per_y_B * t08 + s_B_per_phi_B * alpha_B
-        + s_B_per_across_slide_C * centripetal_across_slide_C
-        + s_B_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(2) = s_C_per_x_B * t07 + s_C_per_y_B * t08 + s_C_per_phi_B * alpha_B
-        + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
-    q_second_rate(3) = s_F_per_x_B * t07 + s_F_per_y_B * t08 + s_F_per_phi_B * alpha_B
-        + s_F_per_across_slide_C * centripetal_across_slide_C
-        + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
+    q_second_rate(0) = s.EDF_per_x_B * t07 + s.EDF_per_y_B * t08 + s.EDF_per_phi_B * alpha_B
+        + s.EDF_per_across_slide_C * centripetal_across_slide_C
+        + s.EDF_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(1) = s.s_B_per_x_B * t07 + s.s_B_per_y_B * t08 + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_across_slide_C * centripetal_across_slide_C
+        + s.s_B_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(2) = s.s_C_per_x_B * t07 + s.s_C_per_y_B * t08 + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
+    q_second_rate(3) = s.s_F_per_x_B * t07 + s.s_F_per_y_B * t08 + s.s_F_per_phi_B * alpha_B
+        + s.s_F_per_across_slide_C * centripetal_across_slide_C
+        + s.s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

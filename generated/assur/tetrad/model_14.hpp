@@ -28,19 +28,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: by BCG link CD is only shifted, by s_B and s_C, which are
-///     not parallel.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     30, 28, 0
 ///   jacobian:                     14, 6, 0
 ///   dimension_jacobian:           24, 14, 0
 ///   input_jacobian:               28, 22, 0
-///   velocity_rhs:                 32, 28, 0
-///   acceleration_rhs:             59, 42, 0
-///   jerk_rhs:                     95, 60, 0
 ///   curvature_rhs:                107, 72, 0
 ///   link_poses:                   20, 16, 0
 ///   pose_jacobians:               12, 12, 0
@@ -49,9 +41,8 @@ namespace assur::tetrad {
 ///   pose_curvatures:              51, 31, 0
 ///   degeneracies:                 2, 5, 0
 ///   inverse_jacobian:             35, 9, 1
-///   sensitivities:                98, 52, 1
-///   velocity:                     61, 38, 1
 ///   motion:                       94, 63, 1
+///   sensitivities:                98, 52, 1
 ///   sensitivities_and_motion:     152, 88, 1
 ///   position_polynomial:          30, 21, 0
 ///   complete:                     27, 22, 2
@@ -68,7 +59,7 @@ struct Model14 {
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 1;  ///< index of the final polynomial's unknown
@@ -192,6 +183,109 @@ struct Model14 {
       {"RRP-PRP", { 3, 5, 4, 0, 2, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
+    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
+    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
+    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
+    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * cos_EDF
+        + q.theta_GF.sin * sin_EDF;
+    const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
+        - q.theta_GF.sin * cos_EDF;
+    const Scalar t03 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t04 = q.s_C - t03;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t04 - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar t05 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
+        - t05;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF
+        + d.y_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        - d.x_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
+    const Scalar t06 = d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        + d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
+        - t06;
+    const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF, pivot_product = -d.GF * t07;
+    // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar t08 = d.GF * inverse, inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
+    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08, inverse_GF = -inverse * t07;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_D_per_along_GF = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
+        inverse_cos_phi_B_minus_GF;
+    const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
+        - d.psi_C_BCG.cos * inverse_cos_phi_B_minus_GF;
+    const Scalar t09 = sin_phi_B_minus_GF * inverse_cos_phi_B_minus_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * t09;
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = -q.theta_GF.cos * inverse_cos_phi_B_minus_GF;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C - q.theta_GF.cos * s_C_per_along_GF
+        - cos_CD;
+    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD - q.theta_GF.cos * s_D_per_along_GF;
+    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin;
+    const Scalar s_B_per_y_B = -q.theta_GF.sin * inverse_cos_phi_B_minus_GF;
+    const Scalar s_C_per_y_B = -sin_CD - q.theta_GF.sin * s_C_per_along_GF
+        - cos_CD * s_C_per_across_slide_C;
+    const Scalar s_D_per_y_B = -q.theta_GF.sin * s_D_per_along_GF - inverse_sin_psi_D_CD * cos_CD;
+    const Scalar GF_per_phi_B = GF_per_along_GF * phi_B_across_GF - inverse_GF * phi_B_along_GF;
+    const Scalar s_B_per_phi_B = phi_B_across_GF * inverse_cos_phi_B_minus_GF;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
+        - phi_B_along_slide_C * s_C_per_across_slide_C;
+    const Scalar s_D_per_phi_B = phi_B_across_GF * s_D_per_along_GF
+        - phi_B_along_slide_C * inverse_sin_psi_D_CD;
+    const Scalar t12 = inverse_GF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        - GF_per_along_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
+    const Scalar t13 = GF_per_along_GF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
+        + inverse_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
+    const Scalar t14 = d.x_F_EDF * t12 - d.y_F_EDF * t13, t15 = t06 * inverse_cos_phi_B_minus_GF;
+    const Scalar t16 = t06 * s_C_per_along_GF;
+    const Scalar t17 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t18 = t06 * s_D_per_along_GF;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d.setZero();
+      S_d(0, 0) = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
+      S_d(0, 1) = t14;  S_d(0, 4) = t13;  S_d(0, 5) = t12;  S_d(0, 6) = t14;
+      S_d(0, 7) = -GF_per_along_GF;
+      S_d(1, 0) = -t09;  S_d(1, 1) = -t15;
+      S_d(1, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
+      S_d(1, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
+      S_d(1, 6) = -t15;  S_d(1, 7) = -inverse_cos_phi_B_minus_GF;
+      S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+          - sin_phi_B_minus_GF * s_C_per_along_GF;
+      S_d(2, 1) = -t16 - t04 * s_C_per_across_slide_C - t05;  S_d(2, 2) = -s_C_per_across_slide_C;
+      S_d(2, 3) = -t17;
+      S_d(2, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
+      S_d(2, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
+      S_d(2, 6) = -t16 - q.s_D * t17 - d.h_D_EDF * (d.psi_D_CD.cos
+          + d.psi_D_CD.sin * s_C_per_across_slide_C);
+      S_d(2, 7) = -s_C_per_along_GF;
+      S_d(3, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD - sin_phi_B_minus_GF * s_D_per_along_GF;
+      S_d(3, 1) = -t18 - t04 * inverse_sin_psi_D_CD;  S_d(3, 2) = -inverse_sin_psi_D_CD;
+      S_d(3, 3) = s_C_per_across_slide_C;
+      S_d(3, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
+      S_d(3, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
+      S_d(3, 6) = t03 * inverse_sin_psi_D_CD - t18;  S_d(3, 7) = -s_D_per_along_GF;
+      S_u(0, 0) = GF_per_x_B;  S_u(0, 1) = GF_per_y_B;  S_u(0, 2) = GF_per_phi_B;
+      S_u(0, 3) = -GF_per_x_B;  S_u(0, 4) = -GF_per_y_B;
+      S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+      S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+      S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
+      S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
+      S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = s_D_per_phi_B;
+      S_u(3, 3) = -s_D_per_x_B;  S_u(3, 4) = -s_D_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -287,119 +381,6 @@ struct Model14 {
     F_u(1, 4) = -Scalar(1);
     F_u(2, 0) = Scalar(1);  F_u(2, 2) = EF_y - slide_B_y - BG_y;  F_u(2, 3) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x - EF_x;  F_u(3, 4) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y) * omega_B - t03;
-    rhs(1) = -(slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x) * omega_B - t04;
-    rhs(2) = (slide_B_y + BG_y - EF_y) * omega_B - t03;
-    rhs(3) = -t04 - (slide_B_x + BG_x - EF_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x, t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y, t06 = a_x_B - a_x_E;
-    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = a_y_B - a_y_E, t09 = slide_B_x + BG_x - EF_x;
-    const Scalar t10 = slide_B_y + BG_y - EF_y, t11 = omega_GF * omega_GF;
-    rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_EDF * v_s_D) + t05 * alpha_B - t06;
-    rhs(1) = omega_B * (t05 * omega_B + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t07
-        - Scalar(2) * cos_CD * v_s_C) - t03 * alpha_B - t08;
-    rhs(2) = omega_B * (Scalar(2) * t04 + t09 * omega_B) + t10 * alpha_B + GF_x * t11 - t06;
-    rhs(3) = GF_y * t11 - t08 - omega_B * (Scalar(2) * t07 - t10 * omega_B) - t09 * alpha_B;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0), alpha_GF = q_second_rate(0), v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y, t04 = j_x_B - j_x_E;
-    const Scalar t05 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x, t06 = u.phi_B.sin * a_s_B;
-    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = cos_EDF * v_s_D - t07 - cos_CD * v_s_C;
-    const Scalar t09 = u.phi_B.sin * v_s_B, t10 = sin_EDF * v_s_D - t09 - sin_CD * v_s_C;
-    const Scalar t11 = j_y_B - j_y_E, t12 = u.phi_B.cos * a_s_B, t13 = slide_B_y + BG_y - EF_y;
-    const Scalar t14 = slide_B_x + BG_x - EF_x, t15 = omega_GF * omega_GF;
-    rhs(0) = t03 * jerk_B + omega_B * (Scalar(3) * t05 * alpha_B + Scalar(3) * t06
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t03 * omega_B
-        + Scalar(3) * t08)) - t04 - Scalar(3) * alpha_B * t10;
-    rhs(1) = Scalar(3) * alpha_B * t08 + omega_B * (Scalar(3) * t03 * alpha_B
-        + Scalar(3) * cos_EDF * a_s_D + omega_B * (t05 * omega_B - Scalar(3) * t10)
-        - Scalar(3) * t12 - Scalar(3) * cos_CD * a_s_C) - t05 * jerk_B - t11;
-    rhs(2) = omega_B * (Scalar(3) * t06 + omega_B * (Scalar(3) * t07 - t13 * omega_B)
-        + Scalar(3) * t14 * alpha_B) + t13 * jerk_B + Scalar(3) * alpha_B * t09
-        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t15) - t04;
-    rhs(3) = omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t15) - t11
-        - omega_B * (Scalar(3) * t12 - omega_B * (Scalar(3) * t09 + t14 * omega_B)
-        - Scalar(3) * t13 * alpha_B) - t14 * jerk_B - Scalar(3) * t07 * alpha_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -661,153 +642,6 @@ struct Model14 {
     J_inverse(3, 3) = q.theta_GF.sin * s_D_per_along_GF;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    S_d.setZero();
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
-    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
-    const Scalar cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * cos_EDF
-        + q.theta_GF.sin * sin_EDF;
-    const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
-        - q.theta_GF.sin * cos_EDF;
-    const Scalar t03 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t04 = q.s_C - t03;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t04 - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar t05 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
-        - t05;
-    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF
-        + d.y_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        - d.x_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar t06 = d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        + d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
-        - t06;
-    const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF, pivot_product = -d.GF * t07;
-    // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t08 = d.GF * inverse, inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
-    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08, inverse_GF = -inverse * t07;
-    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_D_per_along_GF = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
-        inverse_cos_phi_B_minus_GF;
-    const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
-        - d.psi_C_BCG.cos * inverse_cos_phi_B_minus_GF;
-    const Scalar t09 = sin_phi_B_minus_GF * inverse_cos_phi_B_minus_GF;
-    const Scalar GF_per_along_GF = -inverse_GF * t09;
-    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_GF * q.theta_GF.cos;
-    const Scalar s_B_per_x_B = -q.theta_GF.cos * inverse_cos_phi_B_minus_GF;
-    const Scalar s_C_per_x_B = s_C_per_across_slide_C * sin_CD - q.theta_GF.cos * s_C_per_along_GF
-        - cos_CD;
-    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD - q.theta_GF.cos * s_D_per_along_GF;
-    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin;
-    const Scalar s_B_per_y_B = -q.theta_GF.sin * inverse_cos_phi_B_minus_GF;
-    const Scalar s_C_per_y_B = -sin_CD - q.theta_GF.sin * s_C_per_along_GF
-        - s_C_per_across_slide_C * cos_CD;
-    const Scalar s_D_per_y_B = -q.theta_GF.sin * s_D_per_along_GF - inverse_sin_psi_D_CD * cos_CD;
-    const Scalar t10 = inverse_GF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        - GF_per_along_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar t11 = GF_per_along_GF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        + inverse_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar t12 = d.x_F_EDF * t10 - d.y_F_EDF * t11, t13 = t06 * inverse_cos_phi_B_minus_GF;
-    const Scalar t14 = t06 * s_C_per_along_GF;
-    const Scalar t15 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t16 = t06 * s_D_per_along_GF;
-    S_d(0, 0) = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
-    S_d(0, 1) = t12;  S_d(0, 4) = t11;  S_d(0, 5) = t10;  S_d(0, 6) = t12;
-    S_d(0, 7) = -GF_per_along_GF;
-    S_d(1, 0) = -t09;  S_d(1, 1) = -t13;
-    S_d(1, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
-    S_d(1, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
-    S_d(1, 6) = -t13;  S_d(1, 7) = -inverse_cos_phi_B_minus_GF;
-    S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
-        - sin_phi_B_minus_GF * s_C_per_along_GF;
-    S_d(2, 1) = -t14 - t04 * s_C_per_across_slide_C - t05;  S_d(2, 2) = -s_C_per_across_slide_C;
-    S_d(2, 3) = -t15;
-    S_d(2, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
-    S_d(2, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
-    S_d(2, 6) = -t14 - q.s_D * t15 - d.h_D_EDF * (d.psi_D_CD.cos
-        + d.psi_D_CD.sin * s_C_per_across_slide_C);
-    S_d(2, 7) = -s_C_per_along_GF;
-    S_d(3, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD - sin_phi_B_minus_GF * s_D_per_along_GF;
-    S_d(3, 1) = -t16 - t04 * inverse_sin_psi_D_CD;  S_d(3, 2) = -inverse_sin_psi_D_CD;
-    S_d(3, 3) = s_C_per_across_slide_C;
-    S_d(3, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
-    S_d(3, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = t03 * inverse_sin_psi_D_CD - t16;  S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = GF_per_x_B;  S_u(0, 1) = GF_per_y_B;
-    S_u(0, 2) = GF_per_along_GF * phi_B_across_GF - inverse_GF * phi_B_along_GF;
-    S_u(0, 3) = -GF_per_x_B;  S_u(0, 4) = -GF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = phi_B_across_GF * inverse_cos_phi_B_minus_GF;  S_u(1, 3) = -s_B_per_x_B;
-    S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
-        - phi_B_along_slide_C * s_C_per_across_slide_C;
-    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;
-    S_u(3, 2) = phi_B_across_GF * s_D_per_along_GF - phi_B_along_slide_C * inverse_sin_psi_D_CD;
-    S_u(3, 3) = -s_D_per_x_B;  S_u(3, 4) = -s_D_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
-    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
-    const Scalar cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * cos_EDF
-        + q.theta_GF.sin * sin_EDF;
-    const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
-        - q.theta_GF.sin * cos_EDF;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C + d.h_D_EDF * d.psi_D_CD.sin
-        - q.s_D * d.psi_D_CD.cos - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin - q.s_D * d.psi_D_CD.sin
-        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_D_EDF * d.psi_D_CD.cos;
-    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF
-        + d.y_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        - d.x_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
-        - d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        - d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar t03 = d.psi_D_CD.sin * cos_phi_B_minus_GF, pivot_product = -d.GF * t03;
-    // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t04 = d.GF * inverse, inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t04;
-    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t04, inverse_GF = -inverse * t03;
-    const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t05
-        - sin_CD * t06;
-    const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06
-        - phi_B_along_slide_C * omega_B;
-    const Scalar velocity_along_GF = phi_B_across_GF * omega_B - q.theta_GF.cos * t05
-        - q.theta_GF.sin * t06;
-    const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06
-        - phi_B_along_GF * omega_B;
-    const Scalar v_s_B = inverse_cos_phi_B_minus_GF * velocity_along_GF;
-    const Scalar v_s_D = inverse_sin_psi_D_CD * (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C);
-    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + velocity_along_slide_C - d.psi_C_BCG.cos * v_s_B;
-    const Scalar omega_GF = -inverse_GF * (sin_phi_B_minus_GF * v_s_B - velocity_across_GF);
-    q_rate(0) = omega_GF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -881,6 +715,15 @@ struct Model14 {
     q_second_rate(3) = a_s_D;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -889,125 +732,38 @@ struct Model14 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
-    S_d.setZero();
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
-    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
-    const Scalar cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * cos_EDF
-        + q.theta_GF.sin * sin_EDF;
-    const Scalar sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF = q.theta_GF.cos * sin_EDF
-        - q.theta_GF.sin * cos_EDF;
-    const Scalar t03 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t04 = q.s_C - t03;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t04 - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar t05 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
-        - t05;
-    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF
-        + d.y_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        - d.x_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar t06 = d.x_F_EDF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        + d.y_F_EDF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF
-        - t06;
-    const Scalar t07 = d.psi_D_CD.sin * cos_phi_B_minus_GF, pivot_product = -d.GF * t07;
-    // A zero divisor means cos(phi_B - theta_GF) = 0, or sin(psi_D_CD) = 0, or GF = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t08 = d.GF * inverse, inverse_cos_phi_B_minus_GF = -d.psi_D_CD.sin * t08;
-    const Scalar inverse_sin_psi_D_CD = cos_phi_B_minus_GF * t08, inverse_GF = -inverse * t07;
-    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_D_per_along_GF = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
-        inverse_cos_phi_B_minus_GF;
-    const Scalar s_C_per_along_GF = d.psi_D_CD.cos * s_D_per_along_GF
-        - d.psi_C_BCG.cos * inverse_cos_phi_B_minus_GF;
-    const Scalar t09 = sin_phi_B_minus_GF * inverse_cos_phi_B_minus_GF;
-    const Scalar GF_per_along_GF = -inverse_GF * t09;
-    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin - GF_per_along_GF * q.theta_GF.cos;
-    const Scalar s_B_per_x_B = -q.theta_GF.cos * inverse_cos_phi_B_minus_GF;
-    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C - q.theta_GF.cos * s_C_per_along_GF
-        - cos_CD;
-    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD - q.theta_GF.cos * s_D_per_along_GF;
-    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin;
-    const Scalar s_B_per_y_B = -q.theta_GF.sin * inverse_cos_phi_B_minus_GF;
-    const Scalar s_C_per_y_B = -sin_CD - q.theta_GF.sin * s_C_per_along_GF
-        - cos_CD * s_C_per_across_slide_C;
-    const Scalar s_D_per_y_B = -q.theta_GF.sin * s_D_per_along_GF - inverse_sin_psi_D_CD * cos_CD;
-    const Scalar GF_per_phi_B = GF_per_along_GF * phi_B_across_GF - inverse_GF * phi_B_along_GF;
-    const Scalar s_B_per_phi_B = phi_B_across_GF * inverse_cos_phi_B_minus_GF;
-    const Scalar s_C_per_phi_B = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
-        - phi_B_along_slide_C * s_C_per_across_slide_C;
-    const Scalar s_D_per_phi_B = phi_B_across_GF * s_D_per_along_GF
-        - phi_B_along_slide_C * inverse_sin_psi_D_CD;
     const Scalar t10 = v_x_B - v_x_E, t11 = v_y_B - v_y_E;
-    const Scalar omega_GF = GF_per_x_B * t10 + GF_per_y_B * t11 + GF_per_phi_B * omega_B;
-    const Scalar v_s_B = s_B_per_x_B * t10 + s_B_per_y_B * t11 + s_B_per_phi_B * omega_B;
-    const Scalar v_s_C = s_C_per_x_B * t10 + s_C_per_y_B * t11 + s_C_per_phi_B * omega_B;
-    const Scalar v_s_D = s_D_per_x_B * t10 + s_D_per_y_B * t11 + s_D_per_phi_B * omega_B;
+    const Scalar omega_GF = s.GF_per_x_B * t10 + s.GF_per_y_B * t11 + s.GF_per_phi_B * omega_B;
+    const Scalar v_s_B = s.s_B_per_x_B * t10 + s.s_B_per_y_B * t11 + s.s_B_per_phi_B * omega_B;
+    const Scalar v_s_C = s.s_C_per_x_B * t10 + s.s_C_per_y_B * t11 + s.s_C_per_phi_B * omega_B;
+    const Scalar v_s_D = s.s_D_per_x_B * t10 + s.s_D_per_y_B * t11 + s.s_D_per_phi_B * omega_B;
     const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
-        + Scalar(2) * d.psi_D_CD.sin * v_s_D - phi_B_along_slide_C * omega_B);
+        + Scalar(2) * d.psi_D_CD.sin * v_s_D - s.phi_B_along_slide_C * omega_B);
     const Scalar centripetal_across_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B
-        + Scalar(2) * v_s_C - Scalar(2) * d.psi_D_CD.cos * v_s_D - phi_B_across_slide_C * omega_B);
-    const Scalar centripetal_along_GF = omega_B * (Scalar(2) * sin_phi_B_minus_GF * v_s_B
-        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF;
-    const Scalar centripetal_across_GF = -omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B
-        - phi_B_across_GF * omega_B);
-    const Scalar t12 = inverse_GF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        - GF_per_along_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar t13 = GF_per_along_GF * cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF
-        + inverse_GF * sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF;
-    const Scalar t14 = d.x_F_EDF * t12 - d.y_F_EDF * t13, t15 = t06 * inverse_cos_phi_B_minus_GF;
-    const Scalar t16 = t06 * s_C_per_along_GF;
-    const Scalar t17 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t18 = t06 * s_D_per_along_GF, t19 = a_x_B - a_x_E, t20 = a_y_B - a_y_E;
-    S_d(0, 0) = inverse_GF * cos_phi_B_minus_GF - GF_per_along_GF * sin_phi_B_minus_GF;
-    S_d(0, 1) = t14;  S_d(0, 4) = t13;  S_d(0, 5) = t12;  S_d(0, 6) = t14;
-    S_d(0, 7) = -GF_per_along_GF;
-    S_d(1, 0) = -t09;  S_d(1, 1) = -t15;
-    S_d(1, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
-    S_d(1, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * inverse_cos_phi_B_minus_GF;
-    S_d(1, 6) = -t15;  S_d(1, 7) = -inverse_cos_phi_B_minus_GF;
-    S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
-        - sin_phi_B_minus_GF * s_C_per_along_GF;
-    S_d(2, 1) = -t16 - t04 * s_C_per_across_slide_C - t05;  S_d(2, 2) = -s_C_per_across_slide_C;
-    S_d(2, 3) = -t17;
-    S_d(2, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
-    S_d(2, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_C_per_along_GF;
-    S_d(2, 6) = -t16 - q.s_D * t17 - d.h_D_EDF * (d.psi_D_CD.cos
-        + d.psi_D_CD.sin * s_C_per_across_slide_C);
-    S_d(2, 7) = -s_C_per_along_GF;
-    S_d(3, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD - sin_phi_B_minus_GF * s_D_per_along_GF;
-    S_d(3, 1) = -t18 - t04 * inverse_sin_psi_D_CD;  S_d(3, 2) = -inverse_sin_psi_D_CD;
-    S_d(3, 3) = s_C_per_across_slide_C;
-    S_d(3, 4) = cos_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
-    S_d(3, 5) = -sin_phi_B_plus_psi_C_BCG_plus_psi_D_CD_minus_GF * s_D_per_along_GF;
-    S_d(3, 6) = t03 * inverse_sin_psi_D_CD - t18;  S_d(3, 7) = -s_D_per_along_GF;
-    S_u(0, 0) = GF_per_x_B;  S_u(0, 1) = GF_per_y_B;  S_u(0, 2) = GF_per_phi_B;
-    S_u(0, 3) = -GF_per_x_B;  S_u(0, 4) = -GF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
-    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = s_D_per_phi_B;
-    S_u(3, 3) = -s_D_per_x_B;  S_u(3, 4) = -s_D_per_y_B;
+        + Scalar(2) * v_s_C - Scalar(2) * d.psi_D_CD.cos * v_s_D
+        - s.phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_GF = omega_B * (Scalar(2) * s.sin_phi_B_minus_GF * v_s_B
+        + s.phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF;
+    const Scalar centripetal_across_GF = -omega_B * (Scalar(2) * s.cos_phi_B_minus_GF * v_s_B
+        - s.phi_B_across_GF * omega_B);
+    const Scalar t19 = a_x_B - a_x_E, t20 = a_y_B - a_y_E;
     q_rate(0) = omega_GF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
-    q_second_rate(0) = GF_per_x_B * t19 + GF_per_y_B * t20 + GF_per_phi_B * alpha_B
-        + inverse_GF * centripetal_across_GF + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = s_B_per_x_B * t19 + s_B_per_y_B * t20 + s_B_per_phi_B * alpha_B
-        + inverse_cos_phi_B_minus_GF * centripetal_along_GF;
-    q_second_rate(2) = s_C_per_x_B * t19 + s_C_per_y_B * t20 + s_C_per_phi_B * alpha_B
-        + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
-    q_second_rate(3) = s_D_per_x_B * t19 + s_D_per_y_B * t20 + s_D_per_phi_B * alpha_B
-        + inverse_sin_psi_D_CD * centripetal_across_slide_C
-        + s_D_per_along_GF * centripetal_along_GF;
+    q_second_rate(0) = s.GF_per_x_B * t19 + s.GF_per_y_B * t20 + s.GF_per_phi_B * alpha_B
+        + s.inverse_GF * centripetal_across_GF + s.GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = s.s_B_per_x_B * t19 + s.s_B_per_y_B * t20 + s.s_B_per_phi_B * alpha_B
+        + s.inverse_cos_phi_B_minus_GF * centripetal_along_GF;
+    q_second_rate(2) = s.s_C_per_x_B * t19 + s.s_C_per_y_B * t20 + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
+    q_second_rate(3) = s.s_D_per_x_B * t19 + s.s_D_per_y_B * t20 + s.s_D_per_phi_B * alpha_B
+        + s.inverse_sin_psi_D_CD * centripetal_across_slide_C
+        + s.s_D_per_along_GF * centripetal_along_GF;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

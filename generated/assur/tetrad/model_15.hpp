@@ -28,19 +28,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: by BCG link CD is only shifted, by s_B and s_C, which are
-///     not parallel.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     42, 34, 0
 ///   jacobian:                     20, 10, 0
 ///   dimension_jacobian:           38, 22, 0
 ///   input_jacobian:               42, 30, 0
-///   velocity_rhs:                 46, 36, 0
-///   acceleration_rhs:             72, 50, 0
-///   jerk_rhs:                     104, 68, 0
 ///   curvature_rhs:                114, 83, 0
 ///   link_poses:                   28, 20, 0
 ///   pose_jacobians:               12, 12, 0
@@ -49,9 +41,8 @@ namespace assur::tetrad {
 ///   pose_curvatures:              51, 31, 0
 ///   degeneracies:                 6, 3, 0
 ///   inverse_jacobian:             45, 17, 1
-///   sensitivities:                79, 51, 1
-///   velocity:                     57, 39, 1
 ///   motion:                       88, 64, 1
+///   sensitivities:                79, 51, 1
 ///   sensitivities_and_motion:     131, 87, 1
 ///   position_polynomial:          22, 15, 0
 ///   complete:                     23, 17, 1
@@ -68,7 +59,7 @@ struct Model15 {
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -188,6 +179,109 @@ struct Model15 {
       {"RPP-PRP", { 3, 5, 4, 0, 2, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
+    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
+    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
+    const Scalar t04 = d.psi_F_EDF.cos * t02 + t01 * d.psi_F_EDF.sin;
+    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
+    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
+        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD = -d.psi_C_BCG.cos * d.psi_D_CD.sin
+        - d.psi_C_BCG.sin * d.psi_D_CD.cos;
+    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
+    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
+        sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
+    const Scalar t05 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t06 = q.s_C - t05;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t06 - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar t07 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
+        - t07;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+        + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
+    const Scalar t08 = d.h_F_EDF - d.h_F_GF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+        - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - t08;
+    const Scalar pivot_product = -d.psi_D_CD.sin *
+        sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    // A zero divisor means sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
+        inverse;
+    const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        inverse;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_F_per_across_slide_F = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
+        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar s_D_per_across_slide_F = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
+        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar s_C_per_across_slide_F = d.psi_D_CD.cos * s_D_per_across_slide_F
+        - d.psi_C_BCG.cos * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar s_B_per_x_B = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * sin_GF;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_F
+        - cos_CD;
+    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_F * sin_GF;
+    const Scalar s_F_per_x_B = cos_GF + sin_GF * s_F_per_across_slide_F;
+    const Scalar s_B_per_y_B = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * cos_GF;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - s_C_per_across_slide_F * cos_GF;
+    const Scalar s_D_per_y_B = -inverse_sin_psi_D_CD * cos_CD - s_D_per_across_slide_F * cos_GF;
+    const Scalar s_F_per_y_B = sin_GF - cos_GF * s_F_per_across_slide_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_F *
+        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_F * s_C_per_across_slide_F;
+    const Scalar s_D_per_phi_B = -phi_B_along_slide_C * inverse_sin_psi_D_CD
+        - phi_B_along_slide_F * s_D_per_across_slide_F;
+    const Scalar s_F_per_phi_B = -phi_B_along_slide_F * s_F_per_across_slide_F
+        - phi_B_across_slide_F;
+    const Scalar t11 = q.s_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+    const Scalar t12 = q.s_F * s_C_per_across_slide_F;
+    const Scalar t13 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t14 = q.s_F * s_D_per_across_slide_F, t15 = q.s_F * s_F_per_across_slide_F + t08;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d.setZero();
+      S_d(0, 0) = s_F_per_across_slide_F;  S_d(0, 1) = t11;  S_d(0, 4) = t11;
+      S_d(0, 5) = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;  S_d(0, 6) = t11;
+      S_d(0, 7) = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
+      S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+          + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_C_per_across_slide_F;
+      S_d(1, 1) = t12 - t06 * s_C_per_across_slide_C - t07;  S_d(1, 2) = -s_C_per_across_slide_C;
+      S_d(1, 3) = -t13;  S_d(1, 4) = t12;  S_d(1, 5) = s_C_per_across_slide_F;
+      S_d(1, 6) = t12 - q.s_D * t13 - d.h_D_EDF * (d.psi_D_CD.cos
+          + d.psi_D_CD.sin * s_C_per_across_slide_C);
+      S_d(1, 7) = -s_C_per_across_slide_F;
+      S_d(2, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD
+          + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_D_per_across_slide_F;
+      S_d(2, 1) = t14 - t06 * inverse_sin_psi_D_CD;  S_d(2, 2) = -inverse_sin_psi_D_CD;
+      S_d(2, 3) = s_C_per_across_slide_C;  S_d(2, 4) = t14;  S_d(2, 5) = s_D_per_across_slide_F;
+      S_d(2, 6) = t14 + t05 * inverse_sin_psi_D_CD;  S_d(2, 7) = -s_D_per_across_slide_F;
+      S_d(3, 0) = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
+          + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_F_per_across_slide_F;
+      S_d(3, 1) = t15;  S_d(3, 4) = t15;  S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = t15;
+      S_d(3, 7) = -s_F_per_across_slide_F;
+      S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+      S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
+      S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+      S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
+      S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;  S_u(2, 2) = s_D_per_phi_B;
+      S_u(2, 3) = -s_D_per_x_B;  S_u(2, 4) = -s_D_per_y_B;
+      S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
+      S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -305,139 +399,6 @@ struct Model15 {
     F_u(2, 3) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x + GF_x - EF_x - slide_F_x;
     F_u(3, 4) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
-    const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF, t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y) * omega_B - t05;
-    rhs(1) = -(slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x) * omega_B - t06;
-    rhs(2) = (slide_B_y + BG_y + GF_y - EF_y - slide_F_y) * omega_B - t05;
-    rhs(3) = -t06 - (slide_B_x + BG_x + GF_x - EF_x - slide_F_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
-    const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
-    const Scalar t05 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x, t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y, t08 = a_x_B - a_x_E;
-    const Scalar t09 = u.phi_B.cos * v_s_B, t10 = a_y_B - a_y_E;
-    const Scalar t11 = slide_B_x + BG_x + GF_x - EF_x - slide_F_x;
-    const Scalar t12 = slide_B_y + BG_y + GF_y - EF_y - slide_F_y;
-    rhs(0) = omega_B * (t05 * omega_B + Scalar(2) * t06 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_EDF * v_s_D) + t07 * alpha_B - t08;
-    rhs(1) = omega_B * (t07 * omega_B + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t09
-        - Scalar(2) * cos_CD * v_s_C) - t05 * alpha_B - t10;
-    rhs(2) = omega_B * (Scalar(2) * t06 + t11 * omega_B - Scalar(2) * sin_GF * v_s_F)
-        + t12 * alpha_B - t08;
-    rhs(3) = -t10 - omega_B * (Scalar(2) * t09 - t12 * omega_B - Scalar(2) * cos_GF * v_s_F)
-        - t11 * alpha_B;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t04 = t02 * d.psi_F_EDF.cos + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar GF_x = -d.h_F_GF * sin_GF, GF_y = d.h_F_GF * cos_GF;
-    const Scalar EF_x = -d.h_F_EDF * (d.psi_F_EDF.cos * sin_EDF + d.psi_F_EDF.sin * cos_EDF);
-    const Scalar EF_y = d.h_F_EDF * (d.psi_F_EDF.cos * cos_EDF - d.psi_F_EDF.sin * sin_EDF);
-    const Scalar slide_F_x = q.s_F * cos_GF, slide_F_y = q.s_F * sin_GF;
-    const Scalar t05 = slide_B_y + BC_y + slide_C_y - ED_y - slide_D_y, t06 = j_x_B - j_x_E;
-    const Scalar t07 = slide_B_x + BC_x + slide_C_x - ED_x - slide_D_x, t08 = u.phi_B.sin * a_s_B;
-    const Scalar t09 = u.phi_B.cos * v_s_B, t10 = cos_EDF * v_s_D - t09 - cos_CD * v_s_C;
-    const Scalar t11 = u.phi_B.sin * v_s_B, t12 = sin_EDF * v_s_D - t11 - sin_CD * v_s_C;
-    const Scalar t13 = j_y_B - j_y_E, t14 = u.phi_B.cos * a_s_B;
-    const Scalar t15 = slide_B_y + BG_y + GF_y - EF_y - slide_F_y, t16 = t11 - sin_GF * v_s_F;
-    const Scalar t17 = slide_B_x + BG_x + GF_x - EF_x - slide_F_x, t18 = t09 - cos_GF * v_s_F;
-    rhs(0) = t05 * jerk_B + omega_B * (Scalar(3) * t07 * alpha_B + Scalar(3) * t08
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t05 * omega_B
-        + Scalar(3) * t10)) - t06 - Scalar(3) * alpha_B * t12;
-    rhs(1) = Scalar(3) * alpha_B * t10 + omega_B * (Scalar(3) * t05 * alpha_B
-        + Scalar(3) * cos_EDF * a_s_D + omega_B * (t07 * omega_B - Scalar(3) * t12)
-        - Scalar(3) * t14 - Scalar(3) * cos_CD * a_s_C) - t07 * jerk_B - t13;
-    rhs(2) = t15 * jerk_B + Scalar(3) * alpha_B * t16 + omega_B * (Scalar(3) * t08
-        + Scalar(3) * t17 * alpha_B - Scalar(3) * sin_GF * a_s_F - omega_B * (t15 * omega_B
-        - Scalar(3) * t18)) - t06;
-    rhs(3) = -t13 - t17 * jerk_B - Scalar(3) * alpha_B * t18 - omega_B * (Scalar(3) * t14
-        - Scalar(3) * t15 * alpha_B - Scalar(3) * cos_GF * a_s_F - omega_B * (Scalar(3) * t16
-        + t17 * omega_B));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -727,159 +688,6 @@ struct Model15 {
     J_inverse(3, 3) = cos_GF * s_F_per_across_slide_F - sin_GF;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    S_d.setZero();
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t04 = d.psi_F_EDF.cos * t02 + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
-        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD = -d.psi_C_BCG.cos * d.psi_D_CD.sin
-        - d.psi_C_BCG.sin * d.psi_D_CD.cos;
-    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
-        cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
-        sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar t05 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t06 = q.s_C - t05;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t06 - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar t07 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
-        - t07;
-    const Scalar phi_B_along_slide_F = q.s_B * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
-        + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
-    const Scalar t08 = d.h_F_EDF - d.h_F_GF;
-    const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
-        - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - t08;
-    const Scalar pivot_product = -d.psi_D_CD.sin *
-        sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    // A zero divisor means sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
-        inverse;
-    const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
-        inverse;
-    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_F_per_across_slide_F = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
-        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar s_D_per_across_slide_F = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
-        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar s_C_per_across_slide_F = d.psi_D_CD.cos * s_D_per_across_slide_F
-        - d.psi_C_BCG.cos * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar s_B_per_x_B = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * sin_GF;
-    const Scalar s_C_per_x_B = s_C_per_across_slide_C * sin_CD + s_C_per_across_slide_F * sin_GF
-        - cos_CD;
-    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_F * sin_GF;
-    const Scalar s_F_per_x_B = cos_GF + s_F_per_across_slide_F * sin_GF;
-    const Scalar s_B_per_y_B = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * cos_GF;
-    const Scalar s_C_per_y_B = -sin_CD - s_C_per_across_slide_C * cos_CD
-        - s_C_per_across_slide_F * cos_GF;
-    const Scalar s_D_per_y_B = -inverse_sin_psi_D_CD * cos_CD - s_D_per_across_slide_F * cos_GF;
-    const Scalar s_F_per_y_B = sin_GF - s_F_per_across_slide_F * cos_GF;
-    const Scalar t09 = q.s_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar t10 = q.s_F * s_C_per_across_slide_F;
-    const Scalar t11 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t12 = q.s_F * s_D_per_across_slide_F, t13 = q.s_F * s_F_per_across_slide_F + t08;
-    S_d(0, 0) = s_F_per_across_slide_F;  S_d(0, 1) = t09;  S_d(0, 4) = t09;
-    S_d(0, 5) = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;  S_d(0, 6) = t09;
-    S_d(0, 7) = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
-        + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_C_per_across_slide_F;
-    S_d(1, 1) = t10 - t06 * s_C_per_across_slide_C - t07;  S_d(1, 2) = -s_C_per_across_slide_C;
-    S_d(1, 3) = -t11;  S_d(1, 4) = t10;  S_d(1, 5) = s_C_per_across_slide_F;
-    S_d(1, 6) = t10 - q.s_D * t11 - d.h_D_EDF * (d.psi_D_CD.cos
-        + d.psi_D_CD.sin * s_C_per_across_slide_C);
-    S_d(1, 7) = -s_C_per_across_slide_F;
-    S_d(2, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD
-        + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_D_per_across_slide_F;
-    S_d(2, 1) = t12 - t06 * inverse_sin_psi_D_CD;  S_d(2, 2) = -inverse_sin_psi_D_CD;
-    S_d(2, 3) = s_C_per_across_slide_C;  S_d(2, 4) = t12;  S_d(2, 5) = s_D_per_across_slide_F;
-    S_d(2, 6) = t12 + t05 * inverse_sin_psi_D_CD;  S_d(2, 7) = -s_D_per_across_slide_F;
-    S_d(3, 0) = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
-        + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = t13;  S_d(3, 4) = t13;  S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = t13;
-    S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = -phi_B_along_slide_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
-        - phi_B_along_slide_F * s_C_per_across_slide_F;
-    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
-    S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;
-    S_u(2, 2) = -phi_B_along_slide_C * inverse_sin_psi_D_CD
-        - phi_B_along_slide_F * s_D_per_across_slide_F;
-    S_u(2, 3) = -s_D_per_x_B;  S_u(2, 4) = -s_D_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;
-    S_u(3, 2) = -phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
-    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t04 = d.psi_F_EDF.cos * t02 + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
-        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD = -d.psi_C_BCG.cos * d.psi_D_CD.sin
-        - d.psi_C_BCG.sin * d.psi_D_CD.cos;
-    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
-        cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
-        sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C + d.h_D_EDF * d.psi_D_CD.sin
-        - q.s_D * d.psi_D_CD.cos - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin - q.s_D * d.psi_D_CD.sin
-        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_D_EDF * d.psi_D_CD.cos;
-    const Scalar phi_B_along_slide_F = q.s_B * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
-        + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
-    const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
-        + d.h_F_GF - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - d.h_F_EDF;
-    const Scalar pivot_product = -d.psi_D_CD.sin *
-        sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    // A zero divisor means sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
-        inverse;
-    const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
-        inverse;
-    const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t05
-        - sin_CD * t06;
-    const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06
-        - phi_B_along_slide_C * omega_B;
-    const Scalar velocity_along_slide_F = phi_B_across_slide_F * omega_B - cos_GF * t05
-        - sin_GF * t06;
-    const Scalar velocity_across_slide_F = sin_GF * t05 - cos_GF * t06
-        - phi_B_along_slide_F * omega_B;
-    const Scalar v_s_B = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
-        velocity_across_slide_F;
-    const Scalar v_s_F = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B
-        - velocity_along_slide_F;
-    const Scalar v_s_D = inverse_sin_psi_D_CD * (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C);
-    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + velocity_along_slide_C - d.psi_C_BCG.cos * v_s_B;
-    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -960,6 +768,15 @@ struct Model15 {
     q_second_rate(3) = a_s_F;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -968,127 +785,40 @@ struct Model15 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
-    S_d.setZero();
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar t03 = t01 * d.psi_F_EDF.cos - t02 * d.psi_F_EDF.sin;
-    const Scalar t04 = d.psi_F_EDF.cos * t02 + t01 * d.psi_F_EDF.sin;
-    const Scalar cos_GF = d.psi_C_BCG.cos * t03 - d.psi_C_BCG.sin * t04;
-    const Scalar sin_GF = d.psi_C_BCG.cos * t04 + d.psi_C_BCG.sin * t03;
-    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
-        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD = -d.psi_C_BCG.cos * d.psi_D_CD.sin
-        - d.psi_C_BCG.sin * d.psi_D_CD.cos;
-    const Scalar cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
-        cos_minus_psi_C_BCG_minus_psi_D_CD + d.psi_F_EDF.sin * sin_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = d.psi_F_EDF.cos *
-        sin_minus_psi_C_BCG_minus_psi_D_CD - d.psi_F_EDF.sin * cos_minus_psi_C_BCG_minus_psi_D_CD;
-    const Scalar t05 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t06 = q.s_C - t05;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t06 - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar t07 = d.h_D_EDF * d.psi_D_CD.cos + q.s_D * d.psi_D_CD.sin - d.h_C_BCG;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos
-        - t07;
-    const Scalar phi_B_along_slide_F = q.s_B * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
-        + d.h_B_BCG * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - q.s_F;
-    const Scalar t08 = d.h_F_EDF - d.h_F_GF;
-    const Scalar phi_B_across_slide_F = q.s_B * sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
-        - d.h_B_BCG * cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF - t08;
-    const Scalar pivot_product = -d.psi_D_CD.sin *
-        sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    // A zero divisor means sin(psi_C_BCG + psi_D_CD + psi_F_EDF) = 0, or sin(psi_D_CD) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF = -d.psi_D_CD.sin *
-        inverse;
-    const Scalar inverse_sin_psi_D_CD = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
-        inverse;
-    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_F_per_across_slide_F = cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF *
-        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar s_D_per_across_slide_F = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
-        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar s_C_per_across_slide_F = d.psi_D_CD.cos * s_D_per_across_slide_F
-        - d.psi_C_BCG.cos * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar s_B_per_x_B = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * sin_GF;
-    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_F
-        - cos_CD;
-    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_F * sin_GF;
-    const Scalar s_F_per_x_B = cos_GF + sin_GF * s_F_per_across_slide_F;
-    const Scalar s_B_per_y_B = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * cos_GF;
-    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
-        - s_C_per_across_slide_F * cos_GF;
-    const Scalar s_D_per_y_B = -inverse_sin_psi_D_CD * cos_CD - s_D_per_across_slide_F * cos_GF;
-    const Scalar s_F_per_y_B = sin_GF - cos_GF * s_F_per_across_slide_F;
-    const Scalar s_B_per_phi_B = -phi_B_along_slide_F *
-        inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
-        - phi_B_along_slide_F * s_C_per_across_slide_F;
-    const Scalar s_D_per_phi_B = -phi_B_along_slide_C * inverse_sin_psi_D_CD
-        - phi_B_along_slide_F * s_D_per_across_slide_F;
-    const Scalar s_F_per_phi_B = -phi_B_along_slide_F * s_F_per_across_slide_F
-        - phi_B_across_slide_F;
     const Scalar t09 = v_x_B - v_x_E, t10 = v_y_B - v_y_E;
-    const Scalar v_s_B = s_B_per_x_B * t09 + s_B_per_y_B * t10 + s_B_per_phi_B * omega_B;
-    const Scalar v_s_C = s_C_per_x_B * t09 + s_C_per_y_B * t10 + s_C_per_phi_B * omega_B;
-    const Scalar v_s_D = s_D_per_x_B * t09 + s_D_per_y_B * t10 + s_D_per_phi_B * omega_B;
-    const Scalar v_s_F = s_F_per_x_B * t09 + s_F_per_y_B * t10 + s_F_per_phi_B * omega_B;
+    const Scalar v_s_B = s.s_B_per_x_B * t09 + s.s_B_per_y_B * t10 + s.s_B_per_phi_B * omega_B;
+    const Scalar v_s_C = s.s_C_per_x_B * t09 + s.s_C_per_y_B * t10 + s.s_C_per_phi_B * omega_B;
+    const Scalar v_s_D = s.s_D_per_x_B * t09 + s.s_D_per_y_B * t10 + s.s_D_per_phi_B * omega_B;
+    const Scalar v_s_F = s.s_F_per_x_B * t09 + s.s_F_per_y_B * t10 + s.s_F_per_phi_B * omega_B;
     const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
-        + Scalar(2) * d.psi_D_CD.sin * v_s_D - phi_B_along_slide_C * omega_B);
+        + Scalar(2) * d.psi_D_CD.sin * v_s_D - s.phi_B_along_slide_C * omega_B);
     const Scalar centripetal_across_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B
-        + Scalar(2) * v_s_C - Scalar(2) * d.psi_D_CD.cos * v_s_D - phi_B_across_slide_C * omega_B);
+        + Scalar(2) * v_s_C - Scalar(2) * d.psi_D_CD.cos * v_s_D
+        - s.phi_B_across_slide_C * omega_B);
     const Scalar centripetal_along_slide_F = omega_B * (Scalar(2) *
-        sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B + phi_B_along_slide_F * omega_B);
+        s.sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B
+        + s.phi_B_along_slide_F * omega_B);
     const Scalar centripetal_across_slide_F = -omega_B * (Scalar(2) *
-        cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B - Scalar(2) * v_s_F
-        - phi_B_across_slide_F * omega_B);
-    const Scalar t11 = q.s_F * inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    const Scalar t12 = q.s_F * s_C_per_across_slide_F;
-    const Scalar t13 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t14 = q.s_F * s_D_per_across_slide_F, t15 = q.s_F * s_F_per_across_slide_F + t08;
+        s.cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * v_s_B - Scalar(2) * v_s_F
+        - s.phi_B_across_slide_F * omega_B);
     const Scalar t16 = a_x_B - a_x_E, t17 = a_y_B - a_y_E;
-    S_d(0, 0) = s_F_per_across_slide_F;  S_d(0, 1) = t11;  S_d(0, 4) = t11;
-    S_d(0, 5) = inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;  S_d(0, 6) = t11;
-    S_d(0, 7) = -inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF;
-    S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
-        + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_C_per_across_slide_F;
-    S_d(1, 1) = t12 - t06 * s_C_per_across_slide_C - t07;  S_d(1, 2) = -s_C_per_across_slide_C;
-    S_d(1, 3) = -t13;  S_d(1, 4) = t12;  S_d(1, 5) = s_C_per_across_slide_F;
-    S_d(1, 6) = t12 - q.s_D * t13 - d.h_D_EDF * (d.psi_D_CD.cos
-        + d.psi_D_CD.sin * s_C_per_across_slide_C);
-    S_d(1, 7) = -s_C_per_across_slide_F;
-    S_d(2, 0) = d.psi_C_BCG.cos * inverse_sin_psi_D_CD
-        + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_D_per_across_slide_F;
-    S_d(2, 1) = t14 - t06 * inverse_sin_psi_D_CD;  S_d(2, 2) = -inverse_sin_psi_D_CD;
-    S_d(2, 3) = s_C_per_across_slide_C;  S_d(2, 4) = t14;  S_d(2, 5) = s_D_per_across_slide_F;
-    S_d(2, 6) = t14 + t05 * inverse_sin_psi_D_CD;  S_d(2, 7) = -s_D_per_across_slide_F;
-    S_d(3, 0) = sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF
-        + cos_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = t15;  S_d(3, 4) = t15;  S_d(3, 5) = s_F_per_across_slide_F;  S_d(3, 6) = t15;
-    S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
-    S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;  S_u(2, 2) = s_D_per_phi_B;
-    S_u(2, 3) = -s_D_per_x_B;  S_u(2, 4) = -s_D_per_y_B;
-    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
-    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
     q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_F;
-    q_second_rate(0) = s_B_per_x_B * t16 + s_B_per_y_B * t17 + s_B_per_phi_B * alpha_B
-        + inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * centripetal_across_slide_F;
-    q_second_rate(1) = s_C_per_x_B * t16 + s_C_per_y_B * t17 + s_C_per_phi_B * alpha_B
-        + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
-    q_second_rate(2) = s_D_per_x_B * t16 + s_D_per_y_B * t17 + s_D_per_phi_B * alpha_B
-        + inverse_sin_psi_D_CD * centripetal_across_slide_C
-        + s_D_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(3) = s_F_per_x_B * t16 + s_F_per_y_B * t17 + s_F_per_phi_B * alpha_B
-        + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
+    q_second_rate(0) = s.s_B_per_x_B * t16 + s.s_B_per_y_B * t17 + s.s_B_per_phi_B * alpha_B
+        + s.inverse_sin_minus_psi_C_BCG_minus_psi_D_CD_minus_psi_F_EDF * centripetal_across_slide_F;
+    q_second_rate(1) = s.s_C_per_x_B * t16 + s.s_C_per_y_B * t17 + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
+    q_second_rate(2) = s.s_D_per_x_B * t16 + s.s_D_per_y_B * t17 + s.s_D_per_phi_B * alpha_B
+        + s.inverse_sin_psi_D_CD * centripetal_across_slide_C
+        + s.s_D_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(3) = s.s_F_per_x_B * t16 + s.s_F_per_y_B * t17 + s.s_F_per_phi_B * alpha_B
+        + s.s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

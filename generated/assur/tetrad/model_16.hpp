@@ -28,19 +28,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: by BCG link CD is only shifted, by s_B and s_C, which are
-///     not parallel.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     24, 27, 0
 ///   jacobian:                     6, 2, 0
 ///   dimension_jacobian:           10, 6, 0
 ///   input_jacobian:               22, 19, 0
-///   velocity_rhs:                 30, 29, 0
-///   acceleration_rhs:             67, 49, 0
-///   jerk_rhs:                     125, 77, 0
 ///   curvature_rhs:                105, 63, 0
 ///   link_poses:                   18, 18, 0
 ///   pose_jacobians:               18, 16, 0
@@ -49,9 +41,8 @@ namespace assur::tetrad {
 ///   pose_curvatures:              79, 44, 0
 ///   degeneracies:                 8, 10, 0
 ///   inverse_jacobian:             59, 18, 1
-///   sensitivities:                116, 65, 1
-///   velocity:                     70, 43, 1
 ///   motion:                       120, 81, 1
+///   sensitivities:                116, 65, 1
 ///   sensitivities_and_motion:     192, 117, 1
 ///   position_polynomial:          59, 42, 0
 ///   second_equations:             52, 42, 0
@@ -69,7 +60,7 @@ struct Model16 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 1;  ///< index of the final polynomial's unknown
@@ -195,6 +186,129 @@ struct Model16 {
       {"PRR-PRP", { 3, 5, 4, 0, 2, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
+    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
+    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
+    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
+    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
+    const Scalar t02 = q.s_E + d.x_F_EDF, t03 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_GF = -t02 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
+    const Scalar phi_E_across_GF = t03 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
+    const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
+        + sin_CD * q.theta_GF.sin;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
+    const Scalar pivot_product = -t04 * sin_phi_B_minus_phi_E;
+    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or
+    //     GF = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar t05 = inverse * sin_phi_B_minus_phi_E;
+    const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
+    const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t04;
+    const Scalar inverse_GF = -t05 * cos_phi_B_plus_psi_C_BCG_minus_GF;
+    const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BCG_minus_GF * inverse_sin_phi_B_minus_phi_E;
+    const Scalar s_B_per_across_slide_C = -cos_phi_E_minus_GF * t06;
+    const Scalar s_E_per_across_slide_C = -cos_phi_B_minus_GF * t06;
+    const Scalar t07 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar t08 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = t08 - t07;
+    const Scalar GF_per_across_slide_C = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_across_slide_C
+        - sin_phi_E_minus_GF * s_E_per_across_slide_C);
+    const Scalar s_B_per_along_GF = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t06;
+    const Scalar s_E_per_along_GF = -d.psi_C_BCG.sin * t06;
+    const Scalar s_C_per_along_GF = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_along_GF
+        - d.psi_C_BCG.cos * s_B_per_along_GF;
+    const Scalar t09 = sin_phi_B_minus_GF * s_B_per_along_GF;
+    const Scalar t10 = sin_phi_E_minus_GF * s_E_per_along_GF;
+    const Scalar GF_per_along_GF = -inverse_GF * (t09 - t10);
+    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin + GF_per_across_slide_C * sin_CD
+        - GF_per_along_GF * q.theta_GF.cos;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C - q.theta_GF.cos * s_B_per_along_GF;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C - cos_CD
+        - q.theta_GF.cos * s_C_per_along_GF;
+    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C - q.theta_GF.cos * s_E_per_along_GF;
+    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin
+        - GF_per_across_slide_C * cos_CD;
+    const Scalar s_B_per_y_B = -q.theta_GF.sin * s_B_per_along_GF - cos_CD * s_B_per_across_slide_C;
+    const Scalar s_C_per_y_B = -sin_CD - q.theta_GF.sin * s_C_per_along_GF
+        - cos_CD * s_C_per_across_slide_C;
+    const Scalar s_E_per_y_B = -q.theta_GF.sin * s_E_per_along_GF - cos_CD * s_E_per_across_slide_C;
+    const Scalar GF_per_phi_B = GF_per_along_GF * phi_B_across_GF
+        - GF_per_across_slide_C * phi_B_along_slide_C - inverse_GF * phi_B_along_GF;
+    const Scalar s_B_per_phi_B = phi_B_across_GF * s_B_per_along_GF
+        - phi_B_along_slide_C * s_B_per_across_slide_C;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
+        - phi_B_along_slide_C * s_C_per_across_slide_C;
+    const Scalar s_E_per_phi_B = phi_B_across_GF * s_E_per_along_GF
+        - phi_B_along_slide_C * s_E_per_across_slide_C;
+    const Scalar GF_per_phi_E = GF_per_along_GF * phi_E_across_GF
+        - GF_per_across_slide_C * phi_E_along_slide_C - inverse_GF * phi_E_along_GF;
+    const Scalar s_B_per_phi_E = phi_E_across_GF * s_B_per_along_GF
+        - phi_E_along_slide_C * s_B_per_across_slide_C;
+    const Scalar s_C_per_phi_E = phi_E_across_slide_C + phi_E_across_GF * s_C_per_along_GF
+        - phi_E_along_slide_C * s_C_per_across_slide_C;
+    const Scalar s_E_per_phi_E = phi_E_across_GF * s_E_per_along_GF
+        - phi_E_along_slide_C * s_E_per_across_slide_C;
+    const Scalar t13 = inverse_GF * cos_phi_E_minus_GF - GF_per_along_GF * sin_phi_E_minus_GF;
+    const Scalar t14 = sin_phi_E_minus_GF * s_B_per_along_GF;
+    const Scalar t15 = sin_phi_E_minus_GF * s_C_per_along_GF;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = GF_per_across_slide_C * d.psi_C_BCG.cos + inverse_GF * cos_phi_B_minus_GF
+          - GF_per_along_GF * sin_phi_B_minus_GF;
+      S_d(0, 1) = -q.s_C * GF_per_across_slide_C;  S_d(0, 2) = -GF_per_across_slide_C;
+      S_d(0, 3) = -GF_per_across_slide_C * cos_phi_E_minus_phi_B_minus_psi_C_BCG - t13;
+      S_d(0, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
+      S_d(0, 5) = t13;  S_d(0, 6) = GF_per_across_slide_C;  S_d(0, 7) = -GF_per_along_GF;
+      S_d(1, 0) = t07 - t09;  S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
+      S_d(1, 2) = -s_B_per_across_slide_C;
+      S_d(1, 3) = t14 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+      S_d(1, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;  S_d(1, 5) = -t14;
+      S_d(1, 6) = s_B_per_across_slide_C;  S_d(1, 7) = -s_B_per_along_GF;
+      S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+          - sin_phi_B_minus_GF * s_C_per_along_GF;
+      S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(2, 2) = -s_C_per_across_slide_C;
+      S_d(2, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG + t15
+          - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+      S_d(2, 4) = cos_phi_E_minus_GF * s_C_per_along_GF;  S_d(2, 5) = -t15;
+      S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = -s_C_per_along_GF;
+      S_d(3, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C - sin_phi_B_minus_GF * s_E_per_along_GF;
+      S_d(3, 1) = -q.s_C * s_E_per_across_slide_C;  S_d(3, 2) = -s_E_per_across_slide_C;
+      S_d(3, 3) = t10 - t08;  S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;  S_d(3, 5) = -t10;
+      S_d(3, 6) = s_E_per_across_slide_C;  S_d(3, 7) = -s_E_per_along_GF;
+      S_u(0, 0) = GF_per_x_B;  S_u(0, 1) = GF_per_y_B;  S_u(0, 2) = GF_per_phi_B;
+      S_u(0, 3) = -GF_per_x_B;  S_u(0, 4) = -GF_per_y_B;  S_u(0, 5) = GF_per_phi_E;
+      S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+      S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;  S_u(1, 5) = s_B_per_phi_E;
+      S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
+      S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;  S_u(2, 5) = s_C_per_phi_E;
+      S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
+      S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;  S_u(3, 5) = s_E_per_phi_E;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -274,125 +388,6 @@ struct Model16 {
     F_u(2, 5) = slide_E_y + EF_y;
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
     F_u(3, 5) = -slide_E_x - EF_x;
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, t01 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos, t02 = v_x_B - v_x_E;
-    const Scalar t03 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B - (slide_E_y + ED_y) * omega_E - t02;
-    rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + BC_x + slide_C_x + CD_x) * omega_B - t03;
-    rhs(2) = (slide_B_y + BG_y) * omega_B - t02 - (slide_E_y + EF_y) * omega_E;
-    rhs(3) = (slide_E_x + EF_x) * omega_E - t03 - (slide_B_x + BG_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin, t01 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
-    const Scalar t02 = slide_B_x + BC_x + slide_C_x + CD_x, t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + BC_y + slide_C_y + CD_y, t05 = slide_E_x + ED_x;
-    const Scalar t06 = u.phi_E.sin * v_s_E, t07 = slide_E_y + ED_y, t08 = a_x_B - a_x_E;
-    const Scalar t09 = u.phi_B.cos * v_s_B, t10 = u.phi_E.cos * v_s_E, t11 = a_y_B - a_y_E;
-    const Scalar t12 = slide_B_x + BG_x, t13 = slide_E_x + EF_x, t14 = slide_B_y + BG_y;
-    const Scalar t15 = slide_E_y + EF_y, t16 = omega_GF * omega_GF;
-    rhs(0) = omega_B * (t02 * omega_B + Scalar(2) * t03 + Scalar(2) * sin_CD * v_s_C)
-        + t04 * alpha_B - omega_E * (t05 * omega_E + Scalar(2) * t06) - t07 * alpha_E - t08;
-    rhs(1) = omega_B * (t04 * omega_B - Scalar(2) * t09 - Scalar(2) * cos_CD * v_s_C)
-        + t05 * alpha_E - t02 * alpha_B - omega_E * (t07 * omega_E - Scalar(2) * t10) - t11;
-    rhs(2) = omega_B * (Scalar(2) * t03 + t12 * omega_B) + t14 * alpha_B + GF_x * t16 - t08
-        - omega_E * (Scalar(2) * t06 + t13 * omega_E) - t15 * alpha_E;
-    rhs(3) = omega_E * (Scalar(2) * t10 - t15 * omega_E) + t13 * alpha_E + GF_y * t16 - t11
-        - omega_B * (Scalar(2) * t09 - t14 * omega_B) - t12 * alpha_B;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0), alpha_GF = q_second_rate(0), v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
-    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5), jerk_E = u_third_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = d.GF * q.theta_GF.cos;
-    const Scalar GF_y = d.GF * q.theta_GF.sin, t01 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos, t02 = slide_E_y + ED_y;
-    const Scalar t03 = u.phi_E.cos * v_s_E, t04 = slide_E_x + ED_x, t05 = u.phi_E.sin * a_s_E;
-    const Scalar t06 = slide_B_y + BC_y + slide_C_y + CD_y, t07 = u.phi_B.sin * v_s_B;
-    const Scalar t08 = t07 + sin_CD * v_s_C, t09 = u.phi_E.sin * v_s_E, t10 = alpha_E * t09;
-    const Scalar t11 = slide_B_x + BC_x + slide_C_x + CD_x, t12 = u.phi_B.sin * a_s_B;
-    const Scalar t13 = u.phi_B.cos * v_s_B, t14 = t13 + cos_CD * v_s_C, t15 = j_x_B - j_x_E;
-    const Scalar t16 = u.phi_E.cos * a_s_E, t17 = t03 * alpha_E, t18 = u.phi_B.cos * a_s_B;
-    const Scalar t19 = j_y_B - j_y_E, t20 = slide_B_y + BG_y, t21 = slide_B_x + BG_x;
-    const Scalar t22 = slide_E_y + EF_y, t23 = slide_E_x + EF_x, t24 = omega_GF * omega_GF;
-    rhs(0) = omega_E * (omega_E * (t02 * omega_E - Scalar(3) * t03) - Scalar(3) * t04 * alpha_E
-        - Scalar(3) * t05) + t06 * jerk_B + Scalar(3) * alpha_B * t08
-        + omega_B * (Scalar(3) * t11 * alpha_B + Scalar(3) * t12 + Scalar(3) * sin_CD * a_s_C
-        - omega_B * (t06 * omega_B - Scalar(3) * t14)) - t02 * jerk_E - Scalar(3) * t10 - t15;
-    rhs(1) = t04 * jerk_E + Scalar(3) * t17 + omega_B * (Scalar(3) * t06 * alpha_B
-        + omega_B * (Scalar(3) * t08 + t11 * omega_B) - Scalar(3) * t18
-        - Scalar(3) * cos_CD * a_s_C) - omega_E * (omega_E * (t04 * omega_E + Scalar(3) * t09)
-        + Scalar(3) * t02 * alpha_E - Scalar(3) * t16) - t11 * jerk_B - Scalar(3) * t14 * alpha_B
-        - t19;
-    rhs(2) = omega_B * (Scalar(3) * t12 + omega_B * (Scalar(3) * t13 - t20 * omega_B)
-        + Scalar(3) * t21 * alpha_B) + t20 * jerk_B + Scalar(3) * alpha_B * t07
-        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t24) - omega_E * (Scalar(3) * t05
-        + omega_E * (Scalar(3) * t03 - t22 * omega_E) + Scalar(3) * t23 * alpha_E) - t22 * jerk_E
-        - Scalar(3) * t10 - t15;
-    rhs(3) = omega_E * (Scalar(3) * t16 - omega_E * (Scalar(3) * t09 + t23 * omega_E)
-        - Scalar(3) * t22 * alpha_E) + t23 * jerk_E + Scalar(3) * t17
-        + omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t24) - omega_B * (Scalar(3) * t18
-        - omega_B * (Scalar(3) * t07 + t21 * omega_B) - Scalar(3) * t20 * alpha_B) - t21 * jerk_B
-        - Scalar(3) * t13 * alpha_B - t19;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -707,183 +702,6 @@ struct Model16 {
     J_inverse(3, 3) = q.theta_GF.sin * s_E_per_along_GF;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
-        + u.phi_E.sin * sin_CD;
-    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
-        - u.phi_E.cos * sin_CD;
-    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
-    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
-    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
-    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
-        - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
-    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
-    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
-    const Scalar t02 = q.s_E + d.x_F_EDF, t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar phi_E_along_GF = -t02 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = t03 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
-    const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
-        + sin_CD * q.theta_GF.sin;
-    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar pivot_product = -t04 * sin_phi_B_minus_phi_E;
-    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or
-    //     GF = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t05 = inverse * sin_phi_B_minus_phi_E;
-    const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
-    const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t04;
-    const Scalar inverse_GF = -t05 * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BCG_minus_GF * inverse_sin_phi_B_minus_phi_E;
-    const Scalar s_B_per_across_slide_C = -cos_phi_E_minus_GF * t06;
-    const Scalar s_E_per_across_slide_C = -cos_phi_B_minus_GF * t06;
-    const Scalar t07 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar t08 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = t08 - t07;
-    const Scalar GF_per_across_slide_C = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_across_slide_C
-        - sin_phi_E_minus_GF * s_E_per_across_slide_C);
-    const Scalar s_B_per_along_GF = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t06;
-    const Scalar s_E_per_along_GF = -d.psi_C_BCG.sin * t06;
-    const Scalar s_C_per_along_GF = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_along_GF
-        - d.psi_C_BCG.cos * s_B_per_along_GF;
-    const Scalar t09 = sin_phi_B_minus_GF * s_B_per_along_GF;
-    const Scalar t10 = sin_phi_E_minus_GF * s_E_per_along_GF;
-    const Scalar GF_per_along_GF = -inverse_GF * (t09 - t10);
-    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin + GF_per_across_slide_C * sin_CD
-        - GF_per_along_GF * q.theta_GF.cos;
-    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C - q.theta_GF.cos * s_B_per_along_GF;
-    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C - cos_CD
-        - q.theta_GF.cos * s_C_per_along_GF;
-    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C - q.theta_GF.cos * s_E_per_along_GF;
-    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin
-        - GF_per_across_slide_C * cos_CD;
-    const Scalar s_B_per_y_B = -q.theta_GF.sin * s_B_per_along_GF - cos_CD * s_B_per_across_slide_C;
-    const Scalar s_C_per_y_B = -sin_CD - q.theta_GF.sin * s_C_per_along_GF
-        - cos_CD * s_C_per_across_slide_C;
-    const Scalar s_E_per_y_B = -q.theta_GF.sin * s_E_per_along_GF - cos_CD * s_E_per_across_slide_C;
-    const Scalar t11 = inverse_GF * cos_phi_E_minus_GF - GF_per_along_GF * sin_phi_E_minus_GF;
-    const Scalar t12 = sin_phi_E_minus_GF * s_B_per_along_GF;
-    const Scalar t13 = sin_phi_E_minus_GF * s_C_per_along_GF;
-    S_d(0, 0) = GF_per_across_slide_C * d.psi_C_BCG.cos + inverse_GF * cos_phi_B_minus_GF
-        - GF_per_along_GF * sin_phi_B_minus_GF;
-    S_d(0, 1) = -q.s_C * GF_per_across_slide_C;  S_d(0, 2) = -GF_per_across_slide_C;
-    S_d(0, 3) = -GF_per_across_slide_C * cos_phi_E_minus_phi_B_minus_psi_C_BCG - t11;
-    S_d(0, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
-    S_d(0, 5) = t11;  S_d(0, 6) = GF_per_across_slide_C;  S_d(0, 7) = -GF_per_along_GF;
-    S_d(1, 0) = t07 - t09;  S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
-    S_d(1, 2) = -s_B_per_across_slide_C;
-    S_d(1, 3) = t12 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(1, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;  S_d(1, 5) = -t12;
-    S_d(1, 6) = s_B_per_across_slide_C;  S_d(1, 7) = -s_B_per_along_GF;
-    S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
-        - sin_phi_B_minus_GF * s_C_per_along_GF;
-    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(2, 2) = -s_C_per_across_slide_C;
-    S_d(2, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG + t13
-        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
-    S_d(2, 4) = cos_phi_E_minus_GF * s_C_per_along_GF;  S_d(2, 5) = -t13;
-    S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = -s_C_per_along_GF;
-    S_d(3, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C - sin_phi_B_minus_GF * s_E_per_along_GF;
-    S_d(3, 1) = -q.s_C * s_E_per_across_slide_C;  S_d(3, 2) = -s_E_per_across_slide_C;
-    S_d(3, 3) = t10 - t08;  S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;  S_d(3, 5) = -t10;
-    S_d(3, 6) = s_E_per_across_slide_C;  S_d(3, 7) = -s_E_per_along_GF;
-    S_u(0, 0) = GF_per_x_B;  S_u(0, 1) = GF_per_y_B;
-    S_u(0, 2) = GF_per_along_GF * phi_B_across_GF - GF_per_across_slide_C * phi_B_along_slide_C
-        - inverse_GF * phi_B_along_GF;
-    S_u(0, 3) = -GF_per_x_B;  S_u(0, 4) = -GF_per_y_B;
-    S_u(0, 5) = GF_per_along_GF * phi_E_across_GF - GF_per_across_slide_C * phi_E_along_slide_C
-        - inverse_GF * phi_E_along_GF;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = phi_B_across_GF * s_B_per_along_GF - phi_B_along_slide_C * s_B_per_across_slide_C;
-    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
-    S_u(1, 5) = phi_E_across_GF * s_B_per_along_GF - phi_E_along_slide_C * s_B_per_across_slide_C;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
-        - phi_B_along_slide_C * s_C_per_across_slide_C;
-    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
-    S_u(2, 5) = phi_E_across_slide_C + phi_E_across_GF * s_C_per_along_GF
-        - phi_E_along_slide_C * s_C_per_across_slide_C;
-    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;
-    S_u(3, 2) = phi_B_across_GF * s_E_per_along_GF - phi_B_along_slide_C * s_E_per_across_slide_C;
-    S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;
-    S_u(3, 5) = phi_E_across_GF * s_E_per_along_GF - phi_E_along_slide_C * s_E_per_across_slide_C;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
-        + u.phi_E.sin * sin_CD;
-    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
-        - u.phi_E.cos * sin_CD;
-    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
-    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
-    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
-    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
-        - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin
-        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_C_CD;
-    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
-    const Scalar t01 = q.s_E + d.x_F_EDF, t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar phi_E_along_GF = -t01 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = t02 * cos_phi_E_minus_GF - t01 * sin_phi_E_minus_GF;
-    const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
-        + sin_CD * q.theta_GF.sin;
-    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    const Scalar t03 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar pivot_product = -t03 * sin_phi_B_minus_phi_E;
-    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or
-    //     GF = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t04 = inverse * sin_phi_B_minus_phi_E;
-    const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t04;
-    const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t03;
-    const Scalar inverse_GF = -t04 * cos_phi_B_plus_psi_C_BCG_minus_GF, t05 = v_x_B - v_x_E;
-    const Scalar t06 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B
-        + phi_E_across_slide_C * omega_E - cos_CD * t05 - sin_CD * t06;
-    const Scalar velocity_across_slide_C = sin_CD * t05 - cos_CD * t06
-        - phi_B_along_slide_C * omega_B - phi_E_along_slide_C * omega_E;
-    const Scalar velocity_along_GF = phi_B_across_GF * omega_B + phi_E_across_GF * omega_E
-        - q.theta_GF.cos * t05 - q.theta_GF.sin * t06;
-    const Scalar velocity_across_GF = q.theta_GF.sin * t05 - q.theta_GF.cos * t06
-        - phi_B_along_GF * omega_B - phi_E_along_GF * omega_E;
-    const Scalar t07 = inverse_sin_phi_B_minus_phi_E * inverse_cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar v_s_B = t07 * (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_along_GF
-        - cos_phi_E_minus_GF * velocity_across_slide_C);
-    const Scalar v_s_E = -t07 * (d.psi_C_BCG.sin * velocity_along_GF
-        + cos_phi_B_minus_GF * velocity_across_slide_C);
-    const Scalar v_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + velocity_along_slide_C
-        - d.psi_C_BCG.cos * v_s_B;
-    const Scalar omega_GF = -inverse_GF * (sin_phi_B_minus_GF * v_s_B - sin_phi_E_minus_GF * v_s_E
-        - velocity_across_GF);
-    q_rate(0) = omega_GF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -975,6 +793,15 @@ struct Model16 {
     q_second_rate(3) = a_s_E;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -983,159 +810,50 @@ struct Model16 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
-        + u.phi_E.sin * sin_CD;
-    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
-        - u.phi_E.cos * sin_CD;
-    const Scalar cos_phi_B_minus_GF = u.phi_B.cos * q.theta_GF.cos + u.phi_B.sin * q.theta_GF.sin;
-    const Scalar sin_phi_B_minus_GF = u.phi_B.sin * q.theta_GF.cos - u.phi_B.cos * q.theta_GF.sin;
-    const Scalar cos_phi_E_minus_GF = u.phi_E.cos * q.theta_GF.cos + u.phi_E.sin * q.theta_GF.sin;
-    const Scalar sin_phi_E_minus_GF = u.phi_E.sin * q.theta_GF.cos - u.phi_E.cos * q.theta_GF.sin;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
-        - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
-    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
-    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_GF = q.s_B * cos_phi_B_minus_GF + d.h_B_BCG * sin_phi_B_minus_GF;
-    const Scalar phi_B_across_GF = q.s_B * sin_phi_B_minus_GF - d.h_B_BCG * cos_phi_B_minus_GF;
-    const Scalar t02 = q.s_E + d.x_F_EDF, t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar phi_E_along_GF = -t02 * cos_phi_E_minus_GF - t03 * sin_phi_E_minus_GF;
-    const Scalar phi_E_across_GF = t03 * cos_phi_E_minus_GF - t02 * sin_phi_E_minus_GF;
-    const Scalar cos_phi_B_plus_psi_C_BCG_minus_GF = cos_CD * q.theta_GF.cos
-        + sin_CD * q.theta_GF.sin;
-    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    const Scalar t04 = d.GF * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar pivot_product = -t04 * sin_phi_B_minus_phi_E;
-    // A zero divisor means cos(phi_B + psi_C_BCG - theta_GF) = 0, or sin(phi_B - phi_E) = 0, or
-    //     GF = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t05 = inverse * sin_phi_B_minus_phi_E;
-    const Scalar inverse_cos_phi_B_plus_psi_C_BCG_minus_GF = d.GF * t05;
-    const Scalar inverse_sin_phi_B_minus_phi_E = -inverse * t04;
-    const Scalar inverse_GF = -t05 * cos_phi_B_plus_psi_C_BCG_minus_GF;
-    const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BCG_minus_GF * inverse_sin_phi_B_minus_phi_E;
-    const Scalar s_B_per_across_slide_C = -cos_phi_E_minus_GF * t06;
-    const Scalar s_E_per_across_slide_C = -cos_phi_B_minus_GF * t06;
-    const Scalar t07 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar t08 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = t08 - t07;
-    const Scalar GF_per_across_slide_C = -inverse_GF * (sin_phi_B_minus_GF * s_B_per_across_slide_C
-        - sin_phi_E_minus_GF * s_E_per_across_slide_C);
-    const Scalar s_B_per_along_GF = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t06;
-    const Scalar s_E_per_along_GF = -d.psi_C_BCG.sin * t06;
-    const Scalar s_C_per_along_GF = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_along_GF
-        - d.psi_C_BCG.cos * s_B_per_along_GF;
-    const Scalar t09 = sin_phi_B_minus_GF * s_B_per_along_GF;
-    const Scalar t10 = sin_phi_E_minus_GF * s_E_per_along_GF;
-    const Scalar GF_per_along_GF = -inverse_GF * (t09 - t10);
-    const Scalar GF_per_x_B = inverse_GF * q.theta_GF.sin + GF_per_across_slide_C * sin_CD
-        - GF_per_along_GF * q.theta_GF.cos;
-    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C - q.theta_GF.cos * s_B_per_along_GF;
-    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C - cos_CD
-        - q.theta_GF.cos * s_C_per_along_GF;
-    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C - q.theta_GF.cos * s_E_per_along_GF;
-    const Scalar GF_per_y_B = -inverse_GF * q.theta_GF.cos - GF_per_along_GF * q.theta_GF.sin
-        - GF_per_across_slide_C * cos_CD;
-    const Scalar s_B_per_y_B = -q.theta_GF.sin * s_B_per_along_GF - cos_CD * s_B_per_across_slide_C;
-    const Scalar s_C_per_y_B = -sin_CD - q.theta_GF.sin * s_C_per_along_GF
-        - cos_CD * s_C_per_across_slide_C;
-    const Scalar s_E_per_y_B = -q.theta_GF.sin * s_E_per_along_GF - cos_CD * s_E_per_across_slide_C;
-    const Scalar GF_per_phi_B = GF_per_along_GF * phi_B_across_GF
-        - GF_per_across_slide_C * phi_B_along_slide_C - inverse_GF * phi_B_along_GF;
-    const Scalar s_B_per_phi_B = phi_B_across_GF * s_B_per_along_GF
-        - phi_B_along_slide_C * s_B_per_across_slide_C;
-    const Scalar s_C_per_phi_B = phi_B_across_slide_C + phi_B_across_GF * s_C_per_along_GF
-        - phi_B_along_slide_C * s_C_per_across_slide_C;
-    const Scalar s_E_per_phi_B = phi_B_across_GF * s_E_per_along_GF
-        - phi_B_along_slide_C * s_E_per_across_slide_C;
-    const Scalar GF_per_phi_E = GF_per_along_GF * phi_E_across_GF
-        - GF_per_across_slide_C * phi_E_along_slide_C - inverse_GF * phi_E_along_GF;
-    const Scalar s_B_per_phi_E = phi_E_across_GF * s_B_per_along_GF
-        - phi_E_along_slide_C * s_B_per_across_slide_C;
-    const Scalar s_C_per_phi_E = phi_E_across_slide_C + phi_E_across_GF * s_C_per_along_GF
-        - phi_E_along_slide_C * s_C_per_across_slide_C;
-    const Scalar s_E_per_phi_E = phi_E_across_GF * s_E_per_along_GF
-        - phi_E_along_slide_C * s_E_per_across_slide_C;
     const Scalar t11 = v_x_B - v_x_E, t12 = v_y_B - v_y_E;
-    const Scalar omega_GF = GF_per_x_B * t11 + GF_per_y_B * t12 + GF_per_phi_B * omega_B
-        + GF_per_phi_E * omega_E;
-    const Scalar v_s_B = s_B_per_x_B * t11 + s_B_per_y_B * t12 + s_B_per_phi_B * omega_B
-        + s_B_per_phi_E * omega_E;
-    const Scalar v_s_C = s_C_per_x_B * t11 + s_C_per_y_B * t12 + s_C_per_phi_B * omega_B
-        + s_C_per_phi_E * omega_E;
-    const Scalar v_s_E = s_E_per_x_B * t11 + s_E_per_y_B * t12 + s_E_per_phi_B * omega_B
-        + s_E_per_phi_E * omega_E;
+    const Scalar omega_GF = s.GF_per_x_B * t11 + s.GF_per_y_B * t12 + s.GF_per_phi_B * omega_B
+        + s.GF_per_phi_E * omega_E;
+    const Scalar v_s_B = s.s_B_per_x_B * t11 + s.s_B_per_y_B * t12 + s.s_B_per_phi_B * omega_B
+        + s.s_B_per_phi_E * omega_E;
+    const Scalar v_s_C = s.s_C_per_x_B * t11 + s.s_C_per_y_B * t12 + s.s_C_per_phi_B * omega_B
+        + s.s_C_per_phi_E * omega_E;
+    const Scalar v_s_E = s.s_E_per_x_B * t11 + s.s_E_per_y_B * t12 + s.s_E_per_phi_B * omega_B
+        + s.s_E_per_phi_E * omega_E;
     const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
-        - phi_B_along_slide_C * omega_B)
-        - omega_E * (Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E
-        - phi_E_along_slide_C * omega_E);
+        - s.phi_B_along_slide_C * omega_B)
+        - omega_E * (Scalar(2) * s.sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E
+        - s.phi_E_along_slide_C * omega_E);
     const Scalar centripetal_across_slide_C = omega_E * (Scalar(2) *
-        cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + phi_E_across_slide_C * omega_E)
+        s.cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + s.phi_E_across_slide_C * omega_E)
         - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
-        - phi_B_across_slide_C * omega_B);
-    const Scalar centripetal_along_GF = omega_B * (Scalar(2) * sin_phi_B_minus_GF * v_s_B
-        + phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF
-        - omega_E * (Scalar(2) * sin_phi_E_minus_GF * v_s_E - phi_E_along_GF * omega_E);
-    const Scalar centripetal_across_GF = omega_E * (Scalar(2) * cos_phi_E_minus_GF * v_s_E
-        + phi_E_across_GF * omega_E) - omega_B * (Scalar(2) * cos_phi_B_minus_GF * v_s_B
-        - phi_B_across_GF * omega_B);
-    const Scalar t13 = inverse_GF * cos_phi_E_minus_GF - GF_per_along_GF * sin_phi_E_minus_GF;
-    const Scalar t14 = sin_phi_E_minus_GF * s_B_per_along_GF;
-    const Scalar t15 = sin_phi_E_minus_GF * s_C_per_along_GF, t16 = a_x_B - a_x_E;
-    const Scalar t17 = a_y_B - a_y_E;
-    S_d(0, 0) = GF_per_across_slide_C * d.psi_C_BCG.cos + inverse_GF * cos_phi_B_minus_GF
-        - GF_per_along_GF * sin_phi_B_minus_GF;
-    S_d(0, 1) = -q.s_C * GF_per_across_slide_C;  S_d(0, 2) = -GF_per_across_slide_C;
-    S_d(0, 3) = -GF_per_across_slide_C * cos_phi_E_minus_phi_B_minus_psi_C_BCG - t13;
-    S_d(0, 4) = GF_per_along_GF * cos_phi_E_minus_GF + inverse_GF * sin_phi_E_minus_GF;
-    S_d(0, 5) = t13;  S_d(0, 6) = GF_per_across_slide_C;  S_d(0, 7) = -GF_per_along_GF;
-    S_d(1, 0) = t07 - t09;  S_d(1, 1) = -q.s_C * s_B_per_across_slide_C;
-    S_d(1, 2) = -s_B_per_across_slide_C;
-    S_d(1, 3) = t14 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(1, 4) = cos_phi_E_minus_GF * s_B_per_along_GF;  S_d(1, 5) = -t14;
-    S_d(1, 6) = s_B_per_across_slide_C;  S_d(1, 7) = -s_B_per_along_GF;
-    S_d(2, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
-        - sin_phi_B_minus_GF * s_C_per_along_GF;
-    S_d(2, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(2, 2) = -s_C_per_across_slide_C;
-    S_d(2, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG + t15
-        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
-    S_d(2, 4) = cos_phi_E_minus_GF * s_C_per_along_GF;  S_d(2, 5) = -t15;
-    S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = -s_C_per_along_GF;
-    S_d(3, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C - sin_phi_B_minus_GF * s_E_per_along_GF;
-    S_d(3, 1) = -q.s_C * s_E_per_across_slide_C;  S_d(3, 2) = -s_E_per_across_slide_C;
-    S_d(3, 3) = t10 - t08;  S_d(3, 4) = cos_phi_E_minus_GF * s_E_per_along_GF;  S_d(3, 5) = -t10;
-    S_d(3, 6) = s_E_per_across_slide_C;  S_d(3, 7) = -s_E_per_along_GF;
-    S_u(0, 0) = GF_per_x_B;  S_u(0, 1) = GF_per_y_B;  S_u(0, 2) = GF_per_phi_B;
-    S_u(0, 3) = -GF_per_x_B;  S_u(0, 4) = -GF_per_y_B;  S_u(0, 5) = GF_per_phi_E;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;  S_u(1, 5) = s_B_per_phi_E;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
-    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;  S_u(2, 5) = s_C_per_phi_E;
-    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
-    S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;  S_u(3, 5) = s_E_per_phi_E;
+        - s.phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_GF = omega_B * (Scalar(2) * s.sin_phi_B_minus_GF * v_s_B
+        + s.phi_B_along_GF * omega_B) + d.GF * omega_GF * omega_GF
+        - omega_E * (Scalar(2) * s.sin_phi_E_minus_GF * v_s_E - s.phi_E_along_GF * omega_E);
+    const Scalar centripetal_across_GF = omega_E * (Scalar(2) * s.cos_phi_E_minus_GF * v_s_E
+        + s.phi_E_across_GF * omega_E) - omega_B * (Scalar(2) * s.cos_phi_B_minus_GF * v_s_B
+        - s.phi_B_across_GF * omega_B);
+    const Scalar t16 = a_x_B - a_x_E, t17 = a_y_B - a_y_E;
     q_rate(0) = omega_GF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
-    q_second_rate(0) = GF_per_x_B * t16 + GF_per_y_B * t17 + GF_per_phi_B * alpha_B
-        + GF_per_phi_E * alpha_E + inverse_GF * centripetal_across_GF
-        + GF_per_across_slide_C * centripetal_across_slide_C
-        + GF_per_along_GF * centripetal_along_GF;
-    q_second_rate(1) = s_B_per_x_B * t16 + s_B_per_y_B * t17 + s_B_per_phi_B * alpha_B
-        + s_B_per_phi_E * alpha_E + s_B_per_across_slide_C * centripetal_across_slide_C
-        + s_B_per_along_GF * centripetal_along_GF;
-    q_second_rate(2) = s_C_per_x_B * t16 + s_C_per_y_B * t17 + s_C_per_phi_B * alpha_B
-        + s_C_per_phi_E * alpha_E + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
-    q_second_rate(3) = s_E_per_x_B * t16 + s_E_per_y_B * t17 + s_E_per_phi_B * alpha_B
-        + s_E_per_phi_E * alpha_E + s_E_per_across_slide_C * centripetal_across_slide_C
-        + s_E_per_along_GF * centripetal_along_GF;
+    q_second_rate(0) = s.GF_per_x_B * t16 + s.GF_per_y_B * t17 + s.GF_per_phi_B * alpha_B
+        + s.GF_per_phi_E * alpha_E + s.inverse_GF * centripetal_across_GF
+        + s.GF_per_across_slide_C * centripetal_across_slide_C
+        + s.GF_per_along_GF * centripetal_along_GF;
+    q_second_rate(1) = s.s_B_per_x_B * t16 + s.s_B_per_y_B * t17 + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_phi_E * alpha_E + s.s_B_per_across_slide_C * centripetal_across_slide_C
+        + s.s_B_per_along_GF * centripetal_along_GF;
+    q_second_rate(2) = s.s_C_per_x_B * t16 + s.s_C_per_y_B * t17 + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_phi_E * alpha_E + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_along_GF * centripetal_along_GF + centripetal_along_slide_C;
+    q_second_rate(3) = s.s_E_per_x_B * t16 + s.s_E_per_y_B * t17 + s.s_E_per_phi_B * alpha_B
+        + s.s_E_per_phi_E * alpha_E + s.s_E_per_across_slide_C * centripetal_across_slide_C
+        + s.s_E_per_along_GF * centripetal_along_GF;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -28,19 +28,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: by BCG link CD is only shifted, by s_B and s_C, which are
-///     not parallel.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     28, 30, 0
 ///   jacobian:                     8, 4, 0
 ///   dimension_jacobian:           20, 12, 0
 ///   input_jacobian:               28, 24, 0
-///   velocity_rhs:                 36, 34, 0
-///   acceleration_rhs:             72, 54, 0
-///   jerk_rhs:                     128, 82, 0
 ///   curvature_rhs:                126, 80, 0
 ///   link_poses:                   22, 20, 0
 ///   pose_jacobians:               18, 16, 0
@@ -49,9 +41,8 @@ namespace assur::tetrad {
 ///   pose_curvatures:              79, 44, 0
 ///   degeneracies:                 12, 6, 0
 ///   inverse_jacobian:             52, 18, 1
-///   sensitivities:                104, 66, 1
-///   velocity:                     66, 44, 1
 ///   motion:                       114, 82, 1
+///   sensitivities:                104, 66, 1
 ///   sensitivities_and_motion:     178, 118, 1
 ///   position_polynomial:          34, 24, 0
 ///   second_equations:             28, 24, 0
@@ -69,7 +60,7 @@ struct Model17 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -189,6 +180,136 @@ struct Model17 {
       {"PRP-PPR", { 0, 2, 1, 3, 5, 4 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
+    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.sin * cos_CD
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.cos * cos_GF
+        + u.phi_B.sin * sin_GF;
+    const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
+        - u.phi_B.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
+        - d.h_B_BCG * d.psi_C_BCG.sin;
+    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
+    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_phi_E_minus_psi_F_EDF
+        + d.h_B_BCG * sin_phi_B_minus_phi_E_minus_psi_F_EDF;
+    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_phi_E_minus_psi_F_EDF
+        - d.h_B_BCG * cos_phi_B_minus_phi_E_minus_psi_F_EDF;
+    const Scalar phi_E_along_slide_F = d.h_E_EDF * d.psi_F_EDF.sin - q.s_E * d.psi_F_EDF.cos
+        - q.s_F;
+    const Scalar t02 = d.h_F_EDF - d.h_F_GF;
+    const Scalar phi_E_across_slide_F = q.s_E * d.psi_F_EDF.sin + d.h_E_EDF * d.psi_F_EDF.cos - t02;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
+        - cos_CD * sin_GF;
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E *
+        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
+    // A zero divisor means sin(phi_B - phi_E) = 0, or
+    //     sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_sin_phi_B_minus_phi_E =
+        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
+    const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
+        -sin_phi_B_minus_phi_E * inverse;
+    const Scalar t03 = inverse_sin_phi_B_minus_phi_E *
+        inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
+    const Scalar s_B_per_across_slide_C = d.psi_F_EDF.sin * t03;
+    const Scalar s_E_per_across_slide_C = -sin_phi_B_minus_phi_E_minus_psi_F_EDF * t03;
+    const Scalar s_F_per_across_slide_C = cos_phi_B_minus_phi_E_minus_psi_F_EDF *
+        s_B_per_across_slide_C - d.psi_F_EDF.cos * s_E_per_across_slide_C;
+    const Scalar t04 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar t05 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = t05 - t04;
+    const Scalar s_B_per_across_slide_F = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t03;
+    const Scalar s_E_per_across_slide_F = -d.psi_C_BCG.sin * t03;
+    const Scalar t06 = d.psi_F_EDF.cos * s_E_per_across_slide_F;
+    const Scalar t07 = cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_B_per_across_slide_F;
+    const Scalar s_F_per_across_slide_F = t07 - t06;
+    const Scalar s_C_per_across_slide_F = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
+        s_E_per_across_slide_F - d.psi_C_BCG.cos * s_B_per_across_slide_F;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_F;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_F
+        - cos_CD;
+    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_F;
+    const Scalar s_F_per_x_B = cos_GF + sin_CD * s_F_per_across_slide_C
+        + sin_GF * s_F_per_across_slide_F;
+    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_F;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - cos_GF * s_C_per_across_slide_F;
+    const Scalar s_E_per_y_B = -cos_CD * s_E_per_across_slide_C - cos_GF * s_E_per_across_slide_F;
+    const Scalar s_F_per_y_B = sin_GF - cos_CD * s_F_per_across_slide_C
+        - cos_GF * s_F_per_across_slide_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_C * s_B_per_across_slide_C
+        - phi_B_along_slide_F * s_B_per_across_slide_F;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_F * s_C_per_across_slide_F;
+    const Scalar s_E_per_phi_B = -phi_B_along_slide_C * s_E_per_across_slide_C
+        - phi_B_along_slide_F * s_E_per_across_slide_F;
+    const Scalar s_F_per_phi_B = -phi_B_along_slide_C * s_F_per_across_slide_C
+        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
+    const Scalar s_B_per_phi_E = -phi_E_along_slide_C * s_B_per_across_slide_C
+        - phi_E_along_slide_F * s_B_per_across_slide_F;
+    const Scalar s_C_per_phi_E = phi_E_across_slide_C - phi_E_along_slide_C * s_C_per_across_slide_C
+        - phi_E_along_slide_F * s_C_per_across_slide_F;
+    const Scalar s_E_per_phi_E = -phi_E_along_slide_C * s_E_per_across_slide_C
+        - phi_E_along_slide_F * s_E_per_across_slide_F;
+    const Scalar s_F_per_phi_E = -phi_E_along_slide_C * s_F_per_across_slide_C
+        - phi_E_along_slide_F * s_F_per_across_slide_F - phi_E_across_slide_F;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = t04 + t07;  S_d(0, 1) = -q.s_C * s_B_per_across_slide_C;
+      S_d(0, 2) = -s_B_per_across_slide_C;
+      S_d(0, 3) = -d.psi_F_EDF.cos * s_B_per_across_slide_F
+          - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+      S_d(0, 4) = q.s_F * s_B_per_across_slide_F;  S_d(0, 5) = s_B_per_across_slide_F;
+      S_d(0, 6) = s_B_per_across_slide_C;  S_d(0, 7) = -s_B_per_across_slide_F;
+      S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
+          + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_C_per_across_slide_F;
+      S_d(1, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(1, 2) = -s_C_per_across_slide_C;
+      S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG - d.psi_F_EDF.cos * s_C_per_across_slide_F
+          - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+      S_d(1, 4) = q.s_F * s_C_per_across_slide_F;  S_d(1, 5) = s_C_per_across_slide_F;
+      S_d(1, 6) = s_C_per_across_slide_C;  S_d(1, 7) = -s_C_per_across_slide_F;
+      S_d(2, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C
+          + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_E_per_across_slide_F;
+      S_d(2, 1) = -q.s_C * s_E_per_across_slide_C;  S_d(2, 2) = -s_E_per_across_slide_C;
+      S_d(2, 3) = -t05 - t06;  S_d(2, 4) = q.s_F * s_E_per_across_slide_F;
+      S_d(2, 5) = s_E_per_across_slide_F;  S_d(2, 6) = s_E_per_across_slide_C;
+      S_d(2, 7) = -s_E_per_across_slide_F;
+      S_d(3, 0) = sin_phi_B_minus_phi_E_minus_psi_F_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
+          + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_F_per_across_slide_F;
+      S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;  S_d(3, 2) = -s_F_per_across_slide_C;
+      S_d(3, 3) = d.psi_F_EDF.sin - d.psi_F_EDF.cos * s_F_per_across_slide_F
+          - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
+      S_d(3, 4) = q.s_F * s_F_per_across_slide_F + t02;  S_d(3, 5) = s_F_per_across_slide_F;
+      S_d(3, 6) = s_F_per_across_slide_C;  S_d(3, 7) = -s_F_per_across_slide_F;
+      S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+      S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;  S_u(0, 5) = s_B_per_phi_E;
+      S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+      S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;  S_u(1, 5) = s_C_per_phi_E;
+      S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;  S_u(2, 2) = s_E_per_phi_B;
+      S_u(2, 3) = -s_E_per_x_B;  S_u(2, 4) = -s_E_per_y_B;  S_u(2, 5) = s_E_per_phi_E;
+      S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
+      S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;  S_u(3, 5) = s_F_per_phi_E;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -276,131 +397,6 @@ struct Model17 {
     F_u(2, 5) = slide_E_y + EF_y + slide_F_y - GF_y;
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
     F_u(3, 5) = GF_x - slide_E_x - EF_x - slide_F_x;
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = ED_x - d.h_F_EDF * sin_GF;
-    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF, t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y + slide_C_y + CD_y) * omega_B - (slide_E_y + ED_y) * omega_E - t01;
-    rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + BC_x + slide_C_x + CD_x) * omega_B - t02;
-    rhs(2) = (slide_B_y + BG_y) * omega_B - t01 - (slide_E_y + EF_y + slide_F_y - GF_y) * omega_E;
-    rhs(3) = (slide_E_x + EF_x + slide_F_x - GF_x) * omega_E - t02 - (slide_B_x + BG_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_E = q_rate(2), v_s_F = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = ED_x - d.h_F_EDF * sin_GF;
-    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF, t01 = slide_B_x + BC_x + slide_C_x + CD_x;
-    const Scalar t02 = u.phi_B.sin * v_s_B, t03 = slide_B_y + BC_y + slide_C_y + CD_y;
-    const Scalar t04 = slide_E_x + ED_x, t05 = u.phi_E.sin * v_s_E, t06 = slide_E_y + ED_y;
-    const Scalar t07 = a_x_B - a_x_E, t08 = u.phi_B.cos * v_s_B, t09 = u.phi_E.cos * v_s_E;
-    const Scalar t10 = a_y_B - a_y_E, t11 = slide_E_x + EF_x + slide_F_x - GF_x;
-    const Scalar t12 = slide_E_y + EF_y + slide_F_y - GF_y, t13 = slide_B_x + BG_x;
-    const Scalar t14 = slide_B_y + BG_y;
-    rhs(0) = omega_B * (t01 * omega_B + Scalar(2) * t02 + Scalar(2) * sin_CD * v_s_C)
-        + t03 * alpha_B - omega_E * (t04 * omega_E + Scalar(2) * t05) - t06 * alpha_E - t07;
-    rhs(1) = omega_B * (t03 * omega_B - Scalar(2) * t08 - Scalar(2) * cos_CD * v_s_C)
-        + t04 * alpha_E - t01 * alpha_B - omega_E * (t06 * omega_E - Scalar(2) * t09) - t10;
-    rhs(2) = omega_B * (Scalar(2) * t02 + t13 * omega_B) + t14 * alpha_B - t07
-        - omega_E * (Scalar(2) * t05 + t11 * omega_E + Scalar(2) * sin_GF * v_s_F) - t12 * alpha_E;
-    rhs(3) = omega_E * (Scalar(2) * t09 + Scalar(2) * cos_GF * v_s_F - t12 * omega_E)
-        + t11 * alpha_E - t10 - omega_B * (Scalar(2) * t08 - t14 * omega_B) - t13 * alpha_B;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_E = q_rate(2), a_s_E = q_second_rate(2);
-    const Scalar v_s_F = q_rate(3), a_s_F = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
-    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5), jerk_E = u_third_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, GF_x = -d.h_F_GF * sin_GF;
-    const Scalar GF_y = d.h_F_GF * cos_GF, EF_x = ED_x - d.h_F_EDF * sin_GF;
-    const Scalar EF_y = ED_y + d.h_F_EDF * cos_GF, slide_F_x = q.s_F * cos_GF;
-    const Scalar slide_F_y = q.s_F * sin_GF, t01 = slide_E_y + ED_y, t02 = u.phi_E.cos * v_s_E;
-    const Scalar t03 = slide_E_x + ED_x, t04 = u.phi_E.sin * a_s_E;
-    const Scalar t05 = slide_B_y + BC_y + slide_C_y + CD_y, t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = t06 + sin_CD * v_s_C, t08 = u.phi_E.sin * v_s_E;
-    const Scalar t09 = slide_B_x + BC_x + slide_C_x + CD_x, t10 = u.phi_B.sin * a_s_B;
-    const Scalar t11 = u.phi_B.cos * v_s_B, t12 = t11 + cos_CD * v_s_C, t13 = j_x_B - j_x_E;
-    const Scalar t14 = u.phi_E.cos * a_s_E, t15 = u.phi_B.cos * a_s_B, t16 = j_y_B - j_y_E;
-    const Scalar t17 = slide_B_y + BG_y, t18 = slide_B_x + BG_x;
-    const Scalar t19 = slide_E_y + EF_y + slide_F_y - GF_y, t20 = t08 + sin_GF * v_s_F;
-    const Scalar t21 = slide_E_x + EF_x + slide_F_x - GF_x, t22 = t02 + cos_GF * v_s_F;
-    rhs(0) = omega_E * (omega_E * (t01 * omega_E - Scalar(3) * t02) - Scalar(3) * t03 * alpha_E
-        - Scalar(3) * t04) + t05 * jerk_B + Scalar(3) * alpha_B * t07
-        + omega_B * (Scalar(3) * t09 * alpha_B + Scalar(3) * t10 + Scalar(3) * sin_CD * a_s_C
-        - omega_B * (t05 * omega_B - Scalar(3) * t12)) - t01 * jerk_E - Scalar(3) * alpha_E * t08
-        - t13;
-    rhs(1) = t03 * jerk_E + Scalar(3) * t02 * alpha_E + omega_B * (Scalar(3) * t05 * alpha_B
-        + omega_B * (Scalar(3) * t07 + t09 * omega_B) - Scalar(3) * t15
-        - Scalar(3) * cos_CD * a_s_C) - omega_E * (omega_E * (t03 * omega_E + Scalar(3) * t08)
-        + Scalar(3) * t01 * alpha_E - Scalar(3) * t14) - t09 * jerk_B - Scalar(3) * t12 * alpha_B
-        - t16;
-    rhs(2) = omega_B * (Scalar(3) * t10 + omega_B * (Scalar(3) * t11 - t17 * omega_B)
-        + Scalar(3) * t18 * alpha_B) + t17 * jerk_B + Scalar(3) * alpha_B * t06 - t19 * jerk_E
-        - Scalar(3) * alpha_E * t20 - omega_E * (Scalar(3) * t04 + Scalar(3) * t21 * alpha_E
-        + Scalar(3) * sin_GF * a_s_F - omega_E * (t19 * omega_E - Scalar(3) * t22)) - t13;
-    rhs(3) = t21 * jerk_E + Scalar(3) * alpha_E * t22 + omega_E * (Scalar(3) * t14
-        + Scalar(3) * cos_GF * a_s_F - Scalar(3) * t19 * alpha_E - omega_E * (Scalar(3) * t20
-        + t21 * omega_E)) - omega_B * (Scalar(3) * t15 - omega_B * (Scalar(3) * t06 + t18 * omega_B)
-        - Scalar(3) * t17 * alpha_B) - t18 * jerk_B - Scalar(3) * t11 * alpha_B - t16;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -730,200 +726,6 @@ struct Model17 {
     J_inverse(3, 3) = cos_GF * s_F_per_across_slide_F - sin_GF;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
-        + u.phi_E.sin * sin_CD;
-    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.sin * cos_CD
-        - u.phi_E.cos * sin_CD;
-    const Scalar cos_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.cos * cos_GF
-        + u.phi_B.sin * sin_GF;
-    const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
-        - u.phi_B.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
-        - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
-    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
-    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_phi_E_minus_psi_F_EDF
-        + d.h_B_BCG * sin_phi_B_minus_phi_E_minus_psi_F_EDF;
-    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_phi_E_minus_psi_F_EDF
-        - d.h_B_BCG * cos_phi_B_minus_phi_E_minus_psi_F_EDF;
-    const Scalar phi_E_along_slide_F = d.h_E_EDF * d.psi_F_EDF.sin - q.s_E * d.psi_F_EDF.cos
-        - q.s_F;
-    const Scalar t02 = d.h_F_EDF - d.h_F_GF;
-    const Scalar phi_E_across_slide_F = q.s_E * d.psi_F_EDF.sin + d.h_E_EDF * d.psi_F_EDF.cos - t02;
-    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
-        - cos_CD * sin_GF;
-    const Scalar pivot_product = -sin_phi_B_minus_phi_E *
-        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or
-    //     sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_phi_B_minus_phi_E =
-        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
-    const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
-        -sin_phi_B_minus_phi_E * inverse;
-    const Scalar t03 = inverse_sin_phi_B_minus_phi_E *
-        inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    const Scalar s_B_per_across_slide_C = d.psi_F_EDF.sin * t03;
-    const Scalar s_E_per_across_slide_C = -sin_phi_B_minus_phi_E_minus_psi_F_EDF * t03;
-    const Scalar s_F_per_across_slide_C = cos_phi_B_minus_phi_E_minus_psi_F_EDF *
-        s_B_per_across_slide_C - d.psi_F_EDF.cos * s_E_per_across_slide_C;
-    const Scalar t04 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar t05 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = t05 - t04;
-    const Scalar s_B_per_across_slide_F = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t03;
-    const Scalar s_E_per_across_slide_F = -d.psi_C_BCG.sin * t03;
-    const Scalar t06 = d.psi_F_EDF.cos * s_E_per_across_slide_F;
-    const Scalar t07 = cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_B_per_across_slide_F;
-    const Scalar s_F_per_across_slide_F = t07 - t06;
-    const Scalar s_C_per_across_slide_F = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
-        s_E_per_across_slide_F - d.psi_C_BCG.cos * s_B_per_across_slide_F;
-    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_F;
-    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_F
-        - cos_CD;
-    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_F;
-    const Scalar s_F_per_x_B = cos_GF + sin_CD * s_F_per_across_slide_C
-        + sin_GF * s_F_per_across_slide_F;
-    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_F;
-    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
-        - cos_GF * s_C_per_across_slide_F;
-    const Scalar s_E_per_y_B = -cos_CD * s_E_per_across_slide_C - cos_GF * s_E_per_across_slide_F;
-    const Scalar s_F_per_y_B = sin_GF - cos_CD * s_F_per_across_slide_C
-        - cos_GF * s_F_per_across_slide_F;
-    S_d(0, 0) = t04 + t07;  S_d(0, 1) = -q.s_C * s_B_per_across_slide_C;
-    S_d(0, 2) = -s_B_per_across_slide_C;
-    S_d(0, 3) = -d.psi_F_EDF.cos * s_B_per_across_slide_F
-        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(0, 4) = q.s_F * s_B_per_across_slide_F;  S_d(0, 5) = s_B_per_across_slide_F;
-    S_d(0, 6) = s_B_per_across_slide_C;  S_d(0, 7) = -s_B_per_across_slide_F;
-    S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
-        + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_C_per_across_slide_F;
-    S_d(1, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(1, 2) = -s_C_per_across_slide_C;
-    S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG - d.psi_F_EDF.cos * s_C_per_across_slide_F
-        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
-    S_d(1, 4) = q.s_F * s_C_per_across_slide_F;  S_d(1, 5) = s_C_per_across_slide_F;
-    S_d(1, 6) = s_C_per_across_slide_C;  S_d(1, 7) = -s_C_per_across_slide_F;
-    S_d(2, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C
-        + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_E_per_across_slide_F;
-    S_d(2, 1) = -q.s_C * s_E_per_across_slide_C;  S_d(2, 2) = -s_E_per_across_slide_C;
-    S_d(2, 3) = -t05 - t06;  S_d(2, 4) = q.s_F * s_E_per_across_slide_F;
-    S_d(2, 5) = s_E_per_across_slide_F;  S_d(2, 6) = s_E_per_across_slide_C;
-    S_d(2, 7) = -s_E_per_across_slide_F;
-    S_d(3, 0) = sin_phi_B_minus_phi_E_minus_psi_F_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
-        + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;  S_d(3, 2) = -s_F_per_across_slide_C;
-    S_d(3, 3) = d.psi_F_EDF.sin - d.psi_F_EDF.cos * s_F_per_across_slide_F
-        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
-    S_d(3, 4) = q.s_F * s_F_per_across_slide_F + t02;  S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = s_F_per_across_slide_C;  S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = -phi_B_along_slide_C * s_B_per_across_slide_C
-        - phi_B_along_slide_F * s_B_per_across_slide_F;
-    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
-    S_u(0, 5) = -phi_E_along_slide_C * s_B_per_across_slide_C
-        - phi_E_along_slide_F * s_B_per_across_slide_F;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
-        - phi_B_along_slide_F * s_C_per_across_slide_F;
-    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
-    S_u(1, 5) = phi_E_across_slide_C - phi_E_along_slide_C * s_C_per_across_slide_C
-        - phi_E_along_slide_F * s_C_per_across_slide_F;
-    S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;
-    S_u(2, 2) = -phi_B_along_slide_C * s_E_per_across_slide_C
-        - phi_B_along_slide_F * s_E_per_across_slide_F;
-    S_u(2, 3) = -s_E_per_x_B;  S_u(2, 4) = -s_E_per_y_B;
-    S_u(2, 5) = -phi_E_along_slide_C * s_E_per_across_slide_C
-        - phi_E_along_slide_F * s_E_per_across_slide_F;
-    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;
-    S_u(3, 2) = -phi_B_along_slide_C * s_F_per_across_slide_C
-        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
-    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;
-    S_u(3, 5) = -phi_E_along_slide_C * s_F_per_across_slide_C
-        - phi_E_along_slide_F * s_F_per_across_slide_F - phi_E_across_slide_F;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
-        + u.phi_E.sin * sin_CD;
-    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.sin * cos_CD
-        - u.phi_E.cos * sin_CD;
-    const Scalar cos_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.cos * cos_GF
-        + u.phi_B.sin * sin_GF;
-    const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
-        - u.phi_B.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
-        - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar phi_B_across_slide_C = d.h_C_BCG - q.s_B * d.psi_C_BCG.sin
-        - d.h_B_BCG * d.psi_C_BCG.cos - d.h_C_CD;
-    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_phi_E_minus_psi_F_EDF
-        + d.h_B_BCG * sin_phi_B_minus_phi_E_minus_psi_F_EDF;
-    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_phi_E_minus_psi_F_EDF
-        - d.h_B_BCG * cos_phi_B_minus_phi_E_minus_psi_F_EDF;
-    const Scalar phi_E_along_slide_F = d.h_E_EDF * d.psi_F_EDF.sin - q.s_E * d.psi_F_EDF.cos
-        - q.s_F;
-    const Scalar phi_E_across_slide_F = q.s_E * d.psi_F_EDF.sin + d.h_E_EDF * d.psi_F_EDF.cos
-        + d.h_F_GF - d.h_F_EDF;
-    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
-        - cos_CD * sin_GF;
-    const Scalar pivot_product = -sin_phi_B_minus_phi_E *
-        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or
-    //     sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_phi_B_minus_phi_E =
-        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
-    const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
-        -sin_phi_B_minus_phi_E * inverse;
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B
-        + phi_E_across_slide_C * omega_E - cos_CD * t01 - sin_CD * t02;
-    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
-        - phi_B_along_slide_C * omega_B - phi_E_along_slide_C * omega_E;
-    const Scalar velocity_along_slide_F = phi_B_across_slide_F * omega_B
-        + phi_E_across_slide_F * omega_E - cos_GF * t01 - sin_GF * t02;
-    const Scalar velocity_across_slide_F = sin_GF * t01 - cos_GF * t02
-        - phi_B_along_slide_F * omega_B - phi_E_along_slide_F * omega_E;
-    const Scalar t03 = inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF *
-        inverse_sin_phi_B_minus_phi_E;
-    const Scalar v_s_B = t03 * (d.psi_F_EDF.sin * velocity_across_slide_C
-        + sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_F);
-    const Scalar v_s_E = -t03 * (d.psi_C_BCG.sin * velocity_across_slide_F
-        + sin_phi_B_minus_phi_E_minus_psi_F_EDF * velocity_across_slide_C);
-    const Scalar v_s_F = cos_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B - d.psi_F_EDF.cos * v_s_E
-        - velocity_along_slide_F;
-    const Scalar v_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + velocity_along_slide_C
-        - d.psi_C_BCG.cos * v_s_B;
-    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_F;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -1021,6 +823,15 @@ struct Model17 {
     q_second_rate(3) = a_s_F;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -1029,166 +840,50 @@ struct Model17 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = d.psi_F_EDF.cos * u.phi_E.cos - d.psi_F_EDF.sin * u.phi_E.sin;
-    const Scalar sin_GF = d.psi_F_EDF.cos * u.phi_E.sin + u.phi_E.cos * d.psi_F_EDF.sin;
-    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
-        + u.phi_E.sin * sin_CD;
-    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.sin * cos_CD
-        - u.phi_E.cos * sin_CD;
-    const Scalar cos_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.cos * cos_GF
-        + u.phi_B.sin * sin_GF;
-    const Scalar sin_phi_B_minus_phi_E_minus_psi_F_EDF = u.phi_B.sin * cos_GF
-        - u.phi_B.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C
-        - d.h_B_BCG * d.psi_C_BCG.sin;
-    const Scalar t01 = d.h_C_BCG - d.h_C_CD;
-    const Scalar phi_B_across_slide_C = t01 - q.s_B * d.psi_C_BCG.sin - d.h_B_BCG * d.psi_C_BCG.cos;
-    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_F = q.s_B * cos_phi_B_minus_phi_E_minus_psi_F_EDF
-        + d.h_B_BCG * sin_phi_B_minus_phi_E_minus_psi_F_EDF;
-    const Scalar phi_B_across_slide_F = q.s_B * sin_phi_B_minus_phi_E_minus_psi_F_EDF
-        - d.h_B_BCG * cos_phi_B_minus_phi_E_minus_psi_F_EDF;
-    const Scalar phi_E_along_slide_F = d.h_E_EDF * d.psi_F_EDF.sin - q.s_E * d.psi_F_EDF.cos
-        - q.s_F;
-    const Scalar t02 = d.h_F_EDF - d.h_F_GF;
-    const Scalar phi_E_across_slide_F = q.s_E * d.psi_F_EDF.sin + d.h_E_EDF * d.psi_F_EDF.cos - t02;
-    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    const Scalar sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF = sin_CD * cos_GF
-        - cos_CD * sin_GF;
-    const Scalar pivot_product = -sin_phi_B_minus_phi_E *
-        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or
-    //     sin(phi_B - phi_E + psi_C_BCG - psi_F_EDF) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_phi_B_minus_phi_E =
-        sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF * inverse;
-    const Scalar inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF =
-        -sin_phi_B_minus_phi_E * inverse;
-    const Scalar t03 = inverse_sin_phi_B_minus_phi_E *
-        inverse_sin_phi_B_plus_psi_C_BCG_minus_phi_E_minus_psi_F_EDF;
-    const Scalar s_B_per_across_slide_C = d.psi_F_EDF.sin * t03;
-    const Scalar s_E_per_across_slide_C = -sin_phi_B_minus_phi_E_minus_psi_F_EDF * t03;
-    const Scalar s_F_per_across_slide_C = cos_phi_B_minus_phi_E_minus_psi_F_EDF *
-        s_B_per_across_slide_C - d.psi_F_EDF.cos * s_E_per_across_slide_C;
-    const Scalar t04 = d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar t05 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = t05 - t04;
-    const Scalar s_B_per_across_slide_F = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t03;
-    const Scalar s_E_per_across_slide_F = -d.psi_C_BCG.sin * t03;
-    const Scalar t06 = d.psi_F_EDF.cos * s_E_per_across_slide_F;
-    const Scalar t07 = cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_B_per_across_slide_F;
-    const Scalar s_F_per_across_slide_F = t07 - t06;
-    const Scalar s_C_per_across_slide_F = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
-        s_E_per_across_slide_F - d.psi_C_BCG.cos * s_B_per_across_slide_F;
-    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_F;
-    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_F
-        - cos_CD;
-    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_F;
-    const Scalar s_F_per_x_B = cos_GF + sin_CD * s_F_per_across_slide_C
-        + sin_GF * s_F_per_across_slide_F;
-    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_F;
-    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
-        - cos_GF * s_C_per_across_slide_F;
-    const Scalar s_E_per_y_B = -cos_CD * s_E_per_across_slide_C - cos_GF * s_E_per_across_slide_F;
-    const Scalar s_F_per_y_B = sin_GF - cos_CD * s_F_per_across_slide_C
-        - cos_GF * s_F_per_across_slide_F;
-    const Scalar s_B_per_phi_B = -phi_B_along_slide_C * s_B_per_across_slide_C
-        - phi_B_along_slide_F * s_B_per_across_slide_F;
-    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
-        - phi_B_along_slide_F * s_C_per_across_slide_F;
-    const Scalar s_E_per_phi_B = -phi_B_along_slide_C * s_E_per_across_slide_C
-        - phi_B_along_slide_F * s_E_per_across_slide_F;
-    const Scalar s_F_per_phi_B = -phi_B_along_slide_C * s_F_per_across_slide_C
-        - phi_B_along_slide_F * s_F_per_across_slide_F - phi_B_across_slide_F;
-    const Scalar s_B_per_phi_E = -phi_E_along_slide_C * s_B_per_across_slide_C
-        - phi_E_along_slide_F * s_B_per_across_slide_F;
-    const Scalar s_C_per_phi_E = phi_E_across_slide_C - phi_E_along_slide_C * s_C_per_across_slide_C
-        - phi_E_along_slide_F * s_C_per_across_slide_F;
-    const Scalar s_E_per_phi_E = -phi_E_along_slide_C * s_E_per_across_slide_C
-        - phi_E_along_slide_F * s_E_per_across_slide_F;
-    const Scalar s_F_per_phi_E = -phi_E_along_slide_C * s_F_per_across_slide_C
-        - phi_E_along_slide_F * s_F_per_across_slide_F - phi_E_across_slide_F;
     const Scalar t08 = v_x_B - v_x_E, t09 = v_y_B - v_y_E;
-    const Scalar v_s_B = s_B_per_x_B * t08 + s_B_per_y_B * t09 + s_B_per_phi_B * omega_B
-        + s_B_per_phi_E * omega_E;
-    const Scalar v_s_C = s_C_per_x_B * t08 + s_C_per_y_B * t09 + s_C_per_phi_B * omega_B
-        + s_C_per_phi_E * omega_E;
-    const Scalar v_s_E = s_E_per_x_B * t08 + s_E_per_y_B * t09 + s_E_per_phi_B * omega_B
-        + s_E_per_phi_E * omega_E;
-    const Scalar v_s_F = s_F_per_x_B * t08 + s_F_per_y_B * t09 + s_F_per_phi_B * omega_B
-        + s_F_per_phi_E * omega_E;
+    const Scalar v_s_B = s.s_B_per_x_B * t08 + s.s_B_per_y_B * t09 + s.s_B_per_phi_B * omega_B
+        + s.s_B_per_phi_E * omega_E;
+    const Scalar v_s_C = s.s_C_per_x_B * t08 + s.s_C_per_y_B * t09 + s.s_C_per_phi_B * omega_B
+        + s.s_C_per_phi_E * omega_E;
+    const Scalar v_s_E = s.s_E_per_x_B * t08 + s.s_E_per_y_B * t09 + s.s_E_per_phi_B * omega_B
+        + s.s_E_per_phi_E * omega_E;
+    const Scalar v_s_F = s.s_F_per_x_B * t08 + s.s_F_per_y_B * t09 + s.s_F_per_phi_B * omega_B
+        + s.s_F_per_phi_E * omega_E;
     const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
-        - phi_B_along_slide_C * omega_B)
-        - omega_E * (Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E
-        - phi_E_along_slide_C * omega_E);
+        - s.phi_B_along_slide_C * omega_B)
+        - omega_E * (Scalar(2) * s.sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E
+        - s.phi_E_along_slide_C * omega_E);
     const Scalar centripetal_across_slide_C = omega_E * (Scalar(2) *
-        cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + phi_E_across_slide_C * omega_E)
+        s.cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + s.phi_E_across_slide_C * omega_E)
         - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
-        - phi_B_across_slide_C * omega_B);
+        - s.phi_B_across_slide_C * omega_B);
     const Scalar centripetal_along_slide_F = omega_B * (Scalar(2) *
-        sin_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B + phi_B_along_slide_F * omega_B)
-        + omega_E * (Scalar(2) * d.psi_F_EDF.sin * v_s_E + phi_E_along_slide_F * omega_E);
+        s.sin_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B + s.phi_B_along_slide_F * omega_B)
+        + omega_E * (Scalar(2) * d.psi_F_EDF.sin * v_s_E + s.phi_E_along_slide_F * omega_E);
     const Scalar centripetal_across_slide_F = omega_E * (Scalar(2) * d.psi_F_EDF.cos * v_s_E
-        + Scalar(2) * v_s_F + phi_E_across_slide_F * omega_E)
-        - omega_B * (Scalar(2) * cos_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B
-        - phi_B_across_slide_F * omega_B);
+        + Scalar(2) * v_s_F + s.phi_E_across_slide_F * omega_E)
+        - omega_B * (Scalar(2) * s.cos_phi_B_minus_phi_E_minus_psi_F_EDF * v_s_B
+        - s.phi_B_across_slide_F * omega_B);
     const Scalar t10 = a_x_B - a_x_E, t11 = a_y_B - a_y_E;
-    S_d(0, 0) = t04 + t07;  S_d(0, 1) = -q.s_C * s_B_per_across_slide_C;
-    S_d(0, 2) = -s_B_per_across_slide_C;
-    S_d(0, 3) = -d.psi_F_EDF.cos * s_B_per_across_slide_F
-        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(0, 4) = q.s_F * s_B_per_across_slide_F;  S_d(0, 5) = s_B_per_across_slide_F;
-    S_d(0, 6) = s_B_per_across_slide_C;  S_d(0, 7) = -s_B_per_across_slide_F;
-    S_d(1, 0) = d.psi_C_BCG.sin + d.psi_C_BCG.cos * s_C_per_across_slide_C
-        + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_C_per_across_slide_F;
-    S_d(1, 1) = t01 - q.s_C * s_C_per_across_slide_C;  S_d(1, 2) = -s_C_per_across_slide_C;
-    S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG - d.psi_F_EDF.cos * s_C_per_across_slide_F
-        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
-    S_d(1, 4) = q.s_F * s_C_per_across_slide_F;  S_d(1, 5) = s_C_per_across_slide_F;
-    S_d(1, 6) = s_C_per_across_slide_C;  S_d(1, 7) = -s_C_per_across_slide_F;
-    S_d(2, 0) = d.psi_C_BCG.cos * s_E_per_across_slide_C
-        + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_E_per_across_slide_F;
-    S_d(2, 1) = -q.s_C * s_E_per_across_slide_C;  S_d(2, 2) = -s_E_per_across_slide_C;
-    S_d(2, 3) = -t05 - t06;  S_d(2, 4) = q.s_F * s_E_per_across_slide_F;
-    S_d(2, 5) = s_E_per_across_slide_F;  S_d(2, 6) = s_E_per_across_slide_C;
-    S_d(2, 7) = -s_E_per_across_slide_F;
-    S_d(3, 0) = sin_phi_B_minus_phi_E_minus_psi_F_EDF + d.psi_C_BCG.cos * s_F_per_across_slide_C
-        + cos_phi_B_minus_phi_E_minus_psi_F_EDF * s_F_per_across_slide_F;
-    S_d(3, 1) = -q.s_C * s_F_per_across_slide_C;  S_d(3, 2) = -s_F_per_across_slide_C;
-    S_d(3, 3) = d.psi_F_EDF.sin - d.psi_F_EDF.cos * s_F_per_across_slide_F
-        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_F_per_across_slide_C;
-    S_d(3, 4) = q.s_F * s_F_per_across_slide_F + t02;  S_d(3, 5) = s_F_per_across_slide_F;
-    S_d(3, 6) = s_F_per_across_slide_C;  S_d(3, 7) = -s_F_per_across_slide_F;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;  S_u(0, 5) = s_B_per_phi_E;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;  S_u(1, 5) = s_C_per_phi_E;
-    S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;  S_u(2, 2) = s_E_per_phi_B;
-    S_u(2, 3) = -s_E_per_x_B;  S_u(2, 4) = -s_E_per_y_B;  S_u(2, 5) = s_E_per_phi_E;
-    S_u(3, 0) = s_F_per_x_B;  S_u(3, 1) = s_F_per_y_B;  S_u(3, 2) = s_F_per_phi_B;
-    S_u(3, 3) = -s_F_per_x_B;  S_u(3, 4) = -s_F_per_y_B;  S_u(3, 5) = s_F_per_phi_E;
     q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_F;
-    q_second_rate(0) = s_B_per_x_B * t10 + s_B_per_y_B * t11 + s_B_per_phi_B * alpha_B
-        + s_B_per_phi_E * alpha_E + s_B_per_across_slide_C * centripetal_across_slide_C
-        + s_B_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(1) = s_C_per_x_B * t10 + s_C_per_y_B * t11 + s_C_per_phi_B * alpha_B
-        + s_C_per_phi_E * alpha_E + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
-    q_second_rate(2) = s_E_per_x_B * t10 + s_E_per_y_B * t11 + s_E_per_phi_B * alpha_B
-        + s_E_per_phi_E * alpha_E + s_E_per_across_slide_C * centripetal_across_slide_C
-        + s_E_per_across_slide_F * centripetal_across_slide_F;
-    q_second_rate(3) = s_F_per_x_B * t10 + s_F_per_y_B * t11 + s_F_per_phi_B * alpha_B
-        + s_F_per_phi_E * alpha_E + s_F_per_across_slide_C * centripetal_across_slide_C
-        + s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
+    q_second_rate(0) = s.s_B_per_x_B * t10 + s.s_B_per_y_B * t11 + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_phi_E * alpha_E + s.s_B_per_across_slide_C * centripetal_across_slide_C
+        + s.s_B_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(1) = s.s_C_per_x_B * t10 + s.s_C_per_y_B * t11 + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_phi_E * alpha_E + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_across_slide_F * centripetal_across_slide_F + centripetal_along_slide_C;
+    q_second_rate(2) = s.s_E_per_x_B * t10 + s.s_E_per_y_B * t11 + s.s_E_per_phi_B * alpha_B
+        + s.s_E_per_phi_E * alpha_E + s.s_E_per_across_slide_C * centripetal_across_slide_C
+        + s.s_E_per_across_slide_F * centripetal_across_slide_F;
+    q_second_rate(3) = s.s_F_per_x_B * t10 + s.s_F_per_y_B * t11 + s.s_F_per_phi_B * alpha_B
+        + s.s_F_per_phi_E * alpha_E + s.s_F_per_across_slide_C * centripetal_across_slide_C
+        + s.s_F_per_across_slide_F * centripetal_across_slide_F - centripetal_along_slide_F;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

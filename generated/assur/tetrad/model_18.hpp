@@ -28,18 +28,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: the group is no structure.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     34, 32, 0
 ///   jacobian:                     14, 6, 0
 ///   dimension_jacobian:           24, 12, 0
 ///   input_jacobian:               32, 24, 0
-///   velocity_rhs:                 40, 34, 0
-///   acceleration_rhs:             81, 56, 0
-///   jerk_rhs:                     141, 86, 0
 ///   curvature_rhs:                135, 82, 0
 ///   link_poses:                   16, 16, 0
 ///   pose_jacobians:               16, 14, 0
@@ -60,7 +53,7 @@ struct Model18 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 1;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -261,152 +254,6 @@ struct Model18 {
     F_u(2, 5) = slide_E_y + EF_y;
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x;  F_u(3, 4) = -Scalar(1);
     F_u(3, 5) = -slide_E_x - EF_x;
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin);
-    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        + EF_y;
-    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
-    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + BC_y + slide_C_y - slide_D_y) * omega_B - (slide_E_y + ED_y) * omega_E
-        - t03;
-    rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + BC_x + slide_C_x - slide_D_x) * omega_B
-        - t04;
-    rhs(2) = (slide_B_y + BG_y) * omega_B - t03 - (slide_E_y + EF_y) * omega_E;
-    rhs(3) = (slide_E_x + EF_x) * omega_E - t04 - (slide_B_x + BG_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
-    const Scalar v_s_D = q_rate(4), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin);
-    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        + EF_y;
-    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin;
-    const Scalar t03 = slide_B_x + BC_x + slide_C_x - slide_D_x, t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_B_y + BC_y + slide_C_y - slide_D_y, t06 = slide_E_x + ED_x;
-    const Scalar t07 = u.phi_E.sin * v_s_E, t08 = slide_E_y + ED_y, t09 = a_x_B - a_x_E;
-    const Scalar t10 = u.phi_B.cos * v_s_B, t11 = u.phi_E.cos * v_s_E, t12 = a_y_B - a_y_E;
-    const Scalar t13 = slide_B_x + BG_x, t14 = slide_E_x + EF_x, t15 = slide_B_y + BG_y;
-    const Scalar t16 = slide_E_y + EF_y, t17 = omega_GF * omega_GF;
-    rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_slide_D * v_s_D) + t05 * alpha_B - omega_E * (t06 * omega_E
-        + Scalar(2) * t07) - t08 * alpha_E - t09;
-    rhs(1) = omega_B * (t05 * omega_B + Scalar(2) * cos_slide_D * v_s_D - Scalar(2) * t10
-        - Scalar(2) * cos_CD * v_s_C) + t06 * alpha_E - t03 * alpha_B - omega_E * (t08 * omega_E
-        - Scalar(2) * t11) - t12;
-    rhs(2) = omega_B * (Scalar(2) * t04 + t13 * omega_B) + t15 * alpha_B + GF_x * t17 - t09
-        - omega_E * (Scalar(2) * t07 + t14 * omega_E) - t16 * alpha_E;
-    rhs(3) = omega_E * (Scalar(2) * t11 - t16 * omega_E) + t14 * alpha_E + GF_y * t17 - t12
-        - omega_B * (Scalar(2) * t10 - t15 * omega_B) - t13 * alpha_B;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_GF = q_rate(0), alpha_GF = q_second_rate(0), v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), v_s_D = q_rate(4);
-    const Scalar a_s_D = q_second_rate(4), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3), j_y_E = u_third_rate(4), omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5), jerk_E = u_third_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BG_x = d.h_B_BCG * u.phi_B.sin, BC_x = BG_x - d.h_C_BCG * sin_CD;
-    const Scalar BG_y = -d.h_B_BCG * u.phi_B.cos, BC_y = BG_y + d.h_C_BCG * cos_CD;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin);
-    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        + EF_y;
-    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
-    const Scalar GF_x = d.GF * q.theta_GF.cos, GF_y = d.GF * q.theta_GF.sin, t03 = slide_E_y + ED_y;
-    const Scalar t04 = u.phi_E.cos * v_s_E, t05 = slide_E_x + ED_x, t06 = u.phi_E.sin * a_s_E;
-    const Scalar t07 = slide_B_y + BC_y + slide_C_y - slide_D_y, t08 = u.phi_E.sin * v_s_E;
-    const Scalar t09 = alpha_E * t08, t10 = slide_B_x + BC_x + slide_C_x - slide_D_x;
-    const Scalar t11 = u.phi_B.sin * a_s_B, t12 = u.phi_B.cos * v_s_B;
-    const Scalar t13 = cos_slide_D * v_s_D - t12 - cos_CD * v_s_C, t14 = u.phi_B.sin * v_s_B;
-    const Scalar t15 = sin_slide_D * v_s_D - t14 - sin_CD * v_s_C, t16 = j_x_B - j_x_E;
-    const Scalar t17 = u.phi_E.cos * a_s_E, t18 = t04 * alpha_E, t19 = u.phi_B.cos * a_s_B;
-    const Scalar t20 = j_y_B - j_y_E, t21 = slide_B_y + BG_y, t22 = slide_B_x + BG_x;
-    const Scalar t23 = slide_E_y + EF_y, t24 = slide_E_x + EF_x, t25 = omega_GF * omega_GF;
-    rhs(0) = omega_E * (omega_E * (t03 * omega_E - Scalar(3) * t04) - Scalar(3) * t05 * alpha_E
-        - Scalar(3) * t06) + t07 * jerk_B + omega_B * (Scalar(3) * t10 * alpha_B + Scalar(3) * t11
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t07 * omega_B
-        + Scalar(3) * t13)) - t03 * jerk_E - Scalar(3) * t09 - Scalar(3) * alpha_B * t15 - t16;
-    rhs(1) = t05 * jerk_E + Scalar(3) * t18 + Scalar(3) * alpha_B * t13
-        + omega_B * (Scalar(3) * t07 * alpha_B + Scalar(3) * cos_slide_D * a_s_D
-        + omega_B * (t10 * omega_B - Scalar(3) * t15) - Scalar(3) * t19
-        - Scalar(3) * cos_CD * a_s_C) - omega_E * (omega_E * (t05 * omega_E + Scalar(3) * t08)
-        + Scalar(3) * t03 * alpha_E - Scalar(3) * t17) - t10 * jerk_B - t20;
-    rhs(2) = omega_B * (Scalar(3) * t11 + omega_B * (Scalar(3) * t12 - t21 * omega_B)
-        + Scalar(3) * t22 * alpha_B) + t21 * jerk_B + Scalar(3) * alpha_B * t14
-        + omega_GF * (Scalar(3) * GF_x * alpha_GF - GF_y * t25) - omega_E * (Scalar(3) * t06
-        + omega_E * (Scalar(3) * t04 - t23 * omega_E) + Scalar(3) * t24 * alpha_E) - t23 * jerk_E
-        - Scalar(3) * t09 - t16;
-    rhs(3) = omega_E * (Scalar(3) * t17 - omega_E * (Scalar(3) * t08 + t24 * omega_E)
-        - Scalar(3) * t23 * alpha_E) + t24 * jerk_E + Scalar(3) * t18
-        + omega_GF * (Scalar(3) * GF_y * alpha_GF + GF_x * t25) - omega_B * (Scalar(3) * t19
-        - omega_B * (Scalar(3) * t14 + t22 * omega_B) - Scalar(3) * t21 * alpha_B) - t22 * jerk_B
-        - Scalar(3) * t12 * alpha_B - t20;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

@@ -28,19 +28,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: by BCG link CD is only shifted, by s_B and s_C, which are
-///     not parallel.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     26, 24, 0
 ///   jacobian:                     14, 6, 0
 ///   dimension_jacobian:           18, 10, 0
 ///   input_jacobian:               20, 14, 0
-///   velocity_rhs:                 24, 20, 0
-///   acceleration_rhs:             57, 38, 0
-///   jerk_rhs:                     99, 58, 0
 ///   curvature_rhs:                88, 51, 0
 ///   link_poses:                   20, 16, 0
 ///   pose_jacobians:               20, 14, 0
@@ -49,9 +41,8 @@ namespace assur::tetrad {
 ///   pose_curvatures:              68, 41, 0
 ///   degeneracies:                 20, 17, 0
 ///   inverse_jacobian:             52, 19, 1
-///   sensitivities:                84, 43, 1
-///   velocity:                     50, 32, 1
 ///   motion:                       89, 62, 1
+///   sensitivities:                84, 43, 1
 ///   sensitivities_and_motion:     139, 83, 1
 ///   position_polynomial:          34, 18, 0
 ///   second_equations:             26, 19, 0
@@ -69,7 +60,7 @@ struct Model19 {
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -186,6 +177,110 @@ struct Model19 {
       {"RRR-PPP", { 3, 4, 5, 0, 1, 2 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
+        + q.theta_EDF.sin * sin_CD;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
+        - q.theta_EDF.cos * sin_CD;
+    const Scalar cos_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.cos * cos_GF
+        + q.theta_EDF.sin * sin_GF;
+    const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
+        - q.theta_EDF.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
+    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G, t01 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin;
+    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
+        - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+    const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
+        - EDF_along_slide_C * d.psi_G_BCG.sin;
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
+    const Scalar EDF_per_across_slide_C = -inverse * d.psi_G_BCG.sin;
+    const Scalar s_B_per_across_slide_C = -EDF_along_slide_G * inverse;
+    const Scalar s_G_per_across_slide_C = EDF_across_slide_G * EDF_per_across_slide_C
+        - d.psi_G_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C
+        - d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar EDF_per_across_slide_G = inverse * d.psi_C_BCG.sin;
+    const Scalar s_B_per_across_slide_G = EDF_along_slide_C * inverse;
+    const Scalar s_G_per_across_slide_G = EDF_across_slide_G * EDF_per_across_slide_G
+        - d.psi_G_BCG.cos * s_B_per_across_slide_G;
+    const Scalar s_C_per_across_slide_G = EDF_across_slide_C * EDF_per_across_slide_G
+        - d.psi_C_BCG.cos * s_B_per_across_slide_G;
+    const Scalar EDF_per_x_B = EDF_per_across_slide_C * sin_CD + EDF_per_across_slide_G * sin_GF;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
+        - cos_CD;
+    const Scalar s_G_per_x_B = sin_CD * s_G_per_across_slide_C + sin_GF * s_G_per_across_slide_G
+        - cos_GF;
+    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * cos_CD - EDF_per_across_slide_G * cos_GF;
+    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_G;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - cos_GF * s_C_per_across_slide_G;
+    const Scalar s_G_per_y_B = -sin_GF - cos_CD * s_G_per_across_slide_C
+        - cos_GF * s_G_per_across_slide_G;
+    const Scalar EDF_per_phi_B = -EDF_per_across_slide_C * phi_B_along_slide_C
+        - EDF_per_across_slide_G * phi_B_along_slide_G;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_C * s_B_per_across_slide_C
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    const Scalar s_G_per_phi_B = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
+        - phi_B_along_slide_G * s_G_per_across_slide_G;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = -q.s_C * EDF_per_across_slide_C;  S_d(0, 1) = -q.s_G * EDF_per_across_slide_G;
+      S_d(0, 2) = -EDF_per_across_slide_G;
+      S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
+      S_d(0, 4) = EDF_per_across_slide_G * sin_EDF_minus_phi_B_minus_psi_G_BCG;
+      S_d(0, 5) = EDF_per_across_slide_G * cos_EDF_minus_phi_B_minus_psi_G_BCG;
+      S_d(0, 6) = EDF_per_across_slide_C;  S_d(0, 7) = EDF_per_across_slide_G;
+      S_d(1, 0) = -q.s_C * s_B_per_across_slide_C;  S_d(1, 1) = -q.s_G * s_B_per_across_slide_G;
+      S_d(1, 2) = -s_B_per_across_slide_G;
+      S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
+      S_d(1, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
+      S_d(1, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
+      S_d(1, 6) = s_B_per_across_slide_C;  S_d(1, 7) = s_B_per_across_slide_G;
+      S_d(2, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
+      S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(2, 2) = -s_C_per_across_slide_G;
+      S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
+          + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
+      S_d(2, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
+      S_d(2, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
+      S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = s_C_per_across_slide_G;
+      S_d(3, 0) = -q.s_C * s_G_per_across_slide_C;
+      S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;  S_d(3, 2) = -s_G_per_across_slide_G;
+      S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
+      S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_G_BCG
+          + sin_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
+      S_d(3, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G
+          - sin_EDF_minus_phi_B_minus_psi_G_BCG;
+      S_d(3, 6) = s_G_per_across_slide_C;  S_d(3, 7) = s_G_per_across_slide_G;
+      S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;  S_u(0, 2) = EDF_per_phi_B;
+      S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
+      S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+      S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
+      S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
+      S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
+      S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_phi_B;
+      S_u(3, 3) = -s_G_per_x_B;  S_u(3, 4) = -s_G_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -266,112 +361,6 @@ struct Model19 {
     F_u(2, 3) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x + slide_G_x + GF_x;
     F_u(3, 4) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF;
-    const Scalar slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF;
-    const Scalar GF_y = -d.h_G_GF * cos_GF, t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + slide_C_y + CD_y) * omega_B - t01;
-    rhs(1) = -(slide_B_x + slide_C_x + CD_x) * omega_B - t02;
-    rhs(2) = (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B - t01;
-    rhs(3) = -t02 - (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_G = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin, BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = slide_B_x + slide_C_x + CD_x, t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = slide_B_y + slide_C_y + CD_y, t04 = omega_EDF * omega_EDF;
-    const Scalar t05 = a_x_B - a_x_E, t06 = u.phi_B.cos * v_s_B, t07 = a_y_B - a_y_E;
-    const Scalar t08 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t09 = slide_B_y + BG_y + slide_G_y + GF_y;
-    rhs(0) = omega_B * (t01 * omega_B + Scalar(2) * t02 + Scalar(2) * sin_CD * v_s_C)
-        + t03 * alpha_B - ED_x * t04 - t05;
-    rhs(1) = omega_B * (t03 * omega_B - Scalar(2) * t06 - Scalar(2) * cos_CD * v_s_C)
-        - t01 * alpha_B - ED_y * t04 - t07;
-    rhs(2) = omega_B * (Scalar(2) * t02 + t08 * omega_B + Scalar(2) * sin_GF * v_s_G)
-        + t09 * alpha_B - EF_x * t04 - t05;
-    rhs(3) = -omega_B * (Scalar(2) * t06 + Scalar(2) * cos_GF * v_s_G - t09 * omega_B)
-        - t08 * alpha_B - EF_y * t04 - t07;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_EDF = q_rate(0), alpha_EDF = q_second_rate(0), v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
-    const Scalar v_s_G = q_rate(3), a_s_G = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, ED_x = d.ED * q.theta_EDF.cos;
-    const Scalar ED_y = d.ED * q.theta_EDF.sin, BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar EF_x = d.x_F_EDF * q.theta_EDF.cos - d.y_F_EDF * q.theta_EDF.sin;
-    const Scalar EF_y = d.y_F_EDF * q.theta_EDF.cos + d.x_F_EDF * q.theta_EDF.sin;
-    const Scalar t01 = slide_B_y + slide_C_y + CD_y, t02 = u.phi_B.sin * v_s_B;
-    const Scalar t03 = t02 + sin_CD * v_s_C, t04 = j_x_B - j_x_E, t05 = omega_EDF * omega_EDF;
-    const Scalar t06 = slide_B_x + slide_C_x + CD_x, t07 = u.phi_B.sin * a_s_B;
-    const Scalar t08 = u.phi_B.cos * v_s_B, t09 = t08 + cos_CD * v_s_C, t10 = j_y_B - j_y_E;
-    const Scalar t11 = u.phi_B.cos * a_s_B, t12 = slide_B_y + BG_y + slide_G_y + GF_y;
-    const Scalar t13 = t02 + sin_GF * v_s_G, t14 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t15 = t08 + cos_GF * v_s_G;
-    rhs(0) = t01 * jerk_B + Scalar(3) * alpha_B * t03 + omega_B * (Scalar(3) * t06 * alpha_B
-        + Scalar(3) * t07 + Scalar(3) * sin_CD * a_s_C - omega_B * (t01 * omega_B
-        - Scalar(3) * t09)) - t04 - omega_EDF * (Scalar(3) * ED_x * alpha_EDF - ED_y * t05);
-    rhs(1) = omega_B * (Scalar(3) * t01 * alpha_B + omega_B * (Scalar(3) * t03 + t06 * omega_B)
-        - Scalar(3) * t11 - Scalar(3) * cos_CD * a_s_C) - t06 * jerk_B - Scalar(3) * t09 * alpha_B
-        - t10 - omega_EDF * (Scalar(3) * ED_y * alpha_EDF + ED_x * t05);
-    rhs(2) = t12 * jerk_B + Scalar(3) * alpha_B * t13 + omega_B * (Scalar(3) * t07
-        + Scalar(3) * t14 * alpha_B + Scalar(3) * sin_GF * a_s_G - omega_B * (t12 * omega_B
-        - Scalar(3) * t15)) - t04 - omega_EDF * (Scalar(3) * EF_x * alpha_EDF - EF_y * t05);
-    rhs(3) = -t10 - t14 * jerk_B - Scalar(3) * alpha_B * t15
-        - omega_EDF * (Scalar(3) * EF_y * alpha_EDF + EF_x * t05) - omega_B * (Scalar(3) * t11
-        + Scalar(3) * cos_GF * a_s_G - Scalar(3) * t12 * alpha_B - omega_B * (Scalar(3) * t13
-        + t14 * omega_B));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -680,157 +669,6 @@ struct Model19 {
     J_inverse(3, 3) = sin_GF + cos_GF * s_G_per_across_slide_G;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
-        + q.theta_EDF.sin * sin_CD;
-    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
-        - q.theta_EDF.cos * sin_CD;
-    const Scalar cos_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.cos * cos_GF
-        + q.theta_EDF.sin * sin_GF;
-    const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
-        - q.theta_EDF.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
-    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G, t01 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin;
-    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
-        - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
-    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
-        - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
-    const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
-        - EDF_along_slide_C * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar EDF_per_across_slide_C = -inverse * d.psi_G_BCG.sin;
-    const Scalar s_B_per_across_slide_C = -EDF_along_slide_G * inverse;
-    const Scalar s_G_per_across_slide_C = EDF_across_slide_G * EDF_per_across_slide_C
-        - d.psi_G_BCG.cos * s_B_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C
-        - d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar EDF_per_across_slide_G = inverse * d.psi_C_BCG.sin;
-    const Scalar s_B_per_across_slide_G = EDF_along_slide_C * inverse;
-    const Scalar s_G_per_across_slide_G = EDF_across_slide_G * EDF_per_across_slide_G
-        - d.psi_G_BCG.cos * s_B_per_across_slide_G;
-    const Scalar s_C_per_across_slide_G = EDF_across_slide_C * EDF_per_across_slide_G
-        - d.psi_C_BCG.cos * s_B_per_across_slide_G;
-    const Scalar EDF_per_x_B = EDF_per_across_slide_C * sin_CD + EDF_per_across_slide_G * sin_GF;
-    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
-    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
-        - cos_CD;
-    const Scalar s_G_per_x_B = sin_CD * s_G_per_across_slide_C + sin_GF * s_G_per_across_slide_G
-        - cos_GF;
-    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * cos_CD - EDF_per_across_slide_G * cos_GF;
-    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_G;
-    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
-        - cos_GF * s_C_per_across_slide_G;
-    const Scalar s_G_per_y_B = -sin_GF - cos_CD * s_G_per_across_slide_C
-        - cos_GF * s_G_per_across_slide_G;
-    S_d(0, 0) = -q.s_C * EDF_per_across_slide_C;  S_d(0, 1) = -q.s_G * EDF_per_across_slide_G;
-    S_d(0, 2) = -EDF_per_across_slide_G;
-    S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    S_d(0, 4) = EDF_per_across_slide_G * sin_EDF_minus_phi_B_minus_psi_G_BCG;
-    S_d(0, 5) = EDF_per_across_slide_G * cos_EDF_minus_phi_B_minus_psi_G_BCG;
-    S_d(0, 6) = EDF_per_across_slide_C;  S_d(0, 7) = EDF_per_across_slide_G;
-    S_d(1, 0) = -q.s_C * s_B_per_across_slide_C;  S_d(1, 1) = -q.s_G * s_B_per_across_slide_G;
-    S_d(1, 2) = -s_B_per_across_slide_G;
-    S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(1, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
-    S_d(1, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
-    S_d(1, 6) = s_B_per_across_slide_C;  S_d(1, 7) = s_B_per_across_slide_G;
-    S_d(2, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
-    S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(2, 2) = -s_C_per_across_slide_G;
-    S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
-        + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
-    S_d(2, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(2, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = s_C_per_across_slide_G;
-    S_d(3, 0) = -q.s_C * s_G_per_across_slide_C;  S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;
-    S_d(3, 2) = -s_G_per_across_slide_G;
-    S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
-    S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_G_BCG
-        + sin_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
-    S_d(3, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G
-        - sin_EDF_minus_phi_B_minus_psi_G_BCG;
-    S_d(3, 6) = s_G_per_across_slide_C;  S_d(3, 7) = s_G_per_across_slide_G;
-    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;
-    S_u(0, 2) = -EDF_per_across_slide_C * phi_B_along_slide_C
-        - EDF_per_across_slide_G * phi_B_along_slide_G;
-    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;
-    S_u(1, 2) = -phi_B_along_slide_C * s_B_per_across_slide_C
-        - phi_B_along_slide_G * s_B_per_across_slide_G;
-    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;
-    S_u(2, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
-        - phi_B_along_slide_G * s_C_per_across_slide_G;
-    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
-    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;
-    S_u(3, 2) = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
-        - phi_B_along_slide_G * s_G_per_across_slide_G;
-    S_u(3, 3) = -s_G_per_x_B;  S_u(3, 4) = -s_G_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
-        + q.theta_EDF.sin * sin_CD;
-    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
-        - q.theta_EDF.cos * sin_CD;
-    const Scalar cos_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.cos * cos_GF
-        + q.theta_EDF.sin * sin_GF;
-    const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
-        - q.theta_EDF.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
-    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
-    const Scalar phi_B_across_slide_G = d.h_G_BCG - q.s_B * d.psi_G_BCG.sin - d.h_G_GF;
-    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
-        - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
-    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
-        - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
-    const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
-        - EDF_along_slide_C * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_E, t02 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t01
-        - sin_CD * t02;
-    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
-        - phi_B_along_slide_C * omega_B;
-    const Scalar velocity_along_slide_G = phi_B_across_slide_G * omega_B - cos_GF * t01
-        - sin_GF * t02;
-    const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02
-        - phi_B_along_slide_G * omega_B;
-    const Scalar omega_EDF = inverse * (d.psi_C_BCG.sin * velocity_across_slide_G
-        - d.psi_G_BCG.sin * velocity_across_slide_C);
-    const Scalar v_s_B = inverse * (EDF_along_slide_C * velocity_across_slide_G
-        - EDF_along_slide_G * velocity_across_slide_C);
-    const Scalar v_s_G = EDF_across_slide_G * omega_EDF + velocity_along_slide_G
-        - d.psi_G_BCG.cos * v_s_B;
-    const Scalar v_s_C = EDF_across_slide_C * omega_EDF + velocity_along_slide_C
-        - d.psi_C_BCG.cos * v_s_B;
-    q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_G;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -904,6 +742,15 @@ struct Model19 {
     q_second_rate(3) = a_s_G;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -912,132 +759,42 @@ struct Model19 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar cos_EDF_minus_phi_B_minus_psi_C_BCG = q.theta_EDF.cos * cos_CD
-        + q.theta_EDF.sin * sin_CD;
-    const Scalar sin_EDF_minus_phi_B_minus_psi_C_BCG = cos_CD * q.theta_EDF.sin
-        - q.theta_EDF.cos * sin_CD;
-    const Scalar cos_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.cos * cos_GF
-        + q.theta_EDF.sin * sin_GF;
-    const Scalar sin_EDF_minus_phi_B_minus_psi_G_BCG = q.theta_EDF.sin * cos_GF
-        - q.theta_EDF.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
-    const Scalar EDF_along_slide_C = -d.ED * cos_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar EDF_across_slide_C = -d.ED * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G, t01 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin;
-    const Scalar EDF_along_slide_G = d.y_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
-        - d.x_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
-    const Scalar EDF_across_slide_G = -d.x_F_EDF * sin_EDF_minus_phi_B_minus_psi_G_BCG
-        - d.y_F_EDF * cos_EDF_minus_phi_B_minus_psi_G_BCG;
-    const Scalar determinant = EDF_along_slide_G * d.psi_C_BCG.sin
-        - EDF_along_slide_C * d.psi_G_BCG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar EDF_per_across_slide_C = -inverse * d.psi_G_BCG.sin;
-    const Scalar s_B_per_across_slide_C = -EDF_along_slide_G * inverse;
-    const Scalar s_G_per_across_slide_C = EDF_across_slide_G * EDF_per_across_slide_C
-        - d.psi_G_BCG.cos * s_B_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = EDF_per_across_slide_C * EDF_across_slide_C
-        - d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar EDF_per_across_slide_G = inverse * d.psi_C_BCG.sin;
-    const Scalar s_B_per_across_slide_G = EDF_along_slide_C * inverse;
-    const Scalar s_G_per_across_slide_G = EDF_across_slide_G * EDF_per_across_slide_G
-        - d.psi_G_BCG.cos * s_B_per_across_slide_G;
-    const Scalar s_C_per_across_slide_G = EDF_across_slide_C * EDF_per_across_slide_G
-        - d.psi_C_BCG.cos * s_B_per_across_slide_G;
-    const Scalar EDF_per_x_B = EDF_per_across_slide_C * sin_CD + EDF_per_across_slide_G * sin_GF;
-    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
-    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
-        - cos_CD;
-    const Scalar s_G_per_x_B = sin_CD * s_G_per_across_slide_C + sin_GF * s_G_per_across_slide_G
-        - cos_GF;
-    const Scalar EDF_per_y_B = -EDF_per_across_slide_C * cos_CD - EDF_per_across_slide_G * cos_GF;
-    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_G;
-    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
-        - cos_GF * s_C_per_across_slide_G;
-    const Scalar s_G_per_y_B = -sin_GF - cos_CD * s_G_per_across_slide_C
-        - cos_GF * s_G_per_across_slide_G;
-    const Scalar EDF_per_phi_B = -EDF_per_across_slide_C * phi_B_along_slide_C
-        - EDF_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_B_per_phi_B = -phi_B_along_slide_C * s_B_per_across_slide_C
-        - phi_B_along_slide_G * s_B_per_across_slide_G;
-    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
-        - phi_B_along_slide_G * s_C_per_across_slide_G;
-    const Scalar s_G_per_phi_B = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
-        - phi_B_along_slide_G * s_G_per_across_slide_G;
     const Scalar t02 = v_x_B - v_x_E, t03 = v_y_B - v_y_E;
-    const Scalar omega_EDF = EDF_per_x_B * t02 + EDF_per_y_B * t03 + EDF_per_phi_B * omega_B;
-    const Scalar v_s_B = s_B_per_x_B * t02 + s_B_per_y_B * t03 + s_B_per_phi_B * omega_B;
-    const Scalar v_s_C = s_C_per_x_B * t02 + s_C_per_y_B * t03 + s_C_per_phi_B * omega_B;
-    const Scalar v_s_G = s_G_per_x_B * t02 + s_G_per_y_B * t03 + s_G_per_phi_B * omega_B;
+    const Scalar omega_EDF = s.EDF_per_x_B * t02 + s.EDF_per_y_B * t03 + s.EDF_per_phi_B * omega_B;
+    const Scalar v_s_B = s.s_B_per_x_B * t02 + s.s_B_per_y_B * t03 + s.s_B_per_phi_B * omega_B;
+    const Scalar v_s_C = s.s_C_per_x_B * t02 + s.s_C_per_y_B * t03 + s.s_C_per_phi_B * omega_B;
+    const Scalar v_s_G = s.s_G_per_x_B * t02 + s.s_G_per_y_B * t03 + s.s_G_per_phi_B * omega_B;
     const Scalar t04 = omega_EDF * omega_EDF;
-    const Scalar centripetal_along_slide_C = EDF_along_slide_C * t04
-        - omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B - phi_B_along_slide_C * omega_B);
-    const Scalar centripetal_across_slide_C = EDF_across_slide_C * t04
+    const Scalar centripetal_along_slide_C = s.EDF_along_slide_C * t04
+        - omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B - s.phi_B_along_slide_C * omega_B);
+    const Scalar centripetal_across_slide_C = s.EDF_across_slide_C * t04
         - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
-        - phi_B_across_slide_C * omega_B);
-    const Scalar centripetal_along_slide_G = EDF_along_slide_G * t04
-        - omega_B * (Scalar(2) * d.psi_G_BCG.sin * v_s_B - phi_B_along_slide_G * omega_B);
-    const Scalar centripetal_across_slide_G = EDF_across_slide_G * t04
+        - s.phi_B_across_slide_C * omega_B);
+    const Scalar centripetal_along_slide_G = s.EDF_along_slide_G * t04
+        - omega_B * (Scalar(2) * d.psi_G_BCG.sin * v_s_B - s.phi_B_along_slide_G * omega_B);
+    const Scalar centripetal_across_slide_G = s.EDF_across_slide_G * t04
         - omega_B * (Scalar(2) * d.psi_G_BCG.cos * v_s_B + Scalar(2) * v_s_G
-        - phi_B_across_slide_G * omega_B);
+        - s.phi_B_across_slide_G * omega_B);
     const Scalar t05 = a_x_B - a_x_E, t06 = a_y_B - a_y_E;
-    S_d(0, 0) = -q.s_C * EDF_per_across_slide_C;  S_d(0, 1) = -q.s_G * EDF_per_across_slide_G;
-    S_d(0, 2) = -EDF_per_across_slide_G;
-    S_d(0, 3) = EDF_per_across_slide_C * sin_EDF_minus_phi_B_minus_psi_C_BCG;
-    S_d(0, 4) = EDF_per_across_slide_G * sin_EDF_minus_phi_B_minus_psi_G_BCG;
-    S_d(0, 5) = EDF_per_across_slide_G * cos_EDF_minus_phi_B_minus_psi_G_BCG;
-    S_d(0, 6) = EDF_per_across_slide_C;  S_d(0, 7) = EDF_per_across_slide_G;
-    S_d(1, 0) = -q.s_C * s_B_per_across_slide_C;  S_d(1, 1) = -q.s_G * s_B_per_across_slide_G;
-    S_d(1, 2) = -s_B_per_across_slide_G;
-    S_d(1, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C;
-    S_d(1, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
-    S_d(1, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
-    S_d(1, 6) = s_B_per_across_slide_C;  S_d(1, 7) = s_B_per_across_slide_G;
-    S_d(2, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
-    S_d(2, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(2, 2) = -s_C_per_across_slide_G;
-    S_d(2, 3) = cos_EDF_minus_phi_B_minus_psi_C_BCG
-        + sin_EDF_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C;
-    S_d(2, 4) = sin_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(2, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(2, 6) = s_C_per_across_slide_C;  S_d(2, 7) = s_C_per_across_slide_G;
-    S_d(3, 0) = -q.s_C * s_G_per_across_slide_C;  S_d(3, 1) = t01 - q.s_G * s_G_per_across_slide_G;
-    S_d(3, 2) = -s_G_per_across_slide_G;
-    S_d(3, 3) = sin_EDF_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
-    S_d(3, 4) = cos_EDF_minus_phi_B_minus_psi_G_BCG
-        + sin_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
-    S_d(3, 5) = cos_EDF_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G
-        - sin_EDF_minus_phi_B_minus_psi_G_BCG;
-    S_d(3, 6) = s_G_per_across_slide_C;  S_d(3, 7) = s_G_per_across_slide_G;
-    S_u(0, 0) = EDF_per_x_B;  S_u(0, 1) = EDF_per_y_B;  S_u(0, 2) = EDF_per_phi_B;
-    S_u(0, 3) = -EDF_per_x_B;  S_u(0, 4) = -EDF_per_y_B;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = -s_B_per_x_B;  S_u(1, 4) = -s_B_per_y_B;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
-    S_u(2, 3) = -s_C_per_x_B;  S_u(2, 4) = -s_C_per_y_B;
-    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_phi_B;
-    S_u(3, 3) = -s_G_per_x_B;  S_u(3, 4) = -s_G_per_y_B;
     q_rate(0) = omega_EDF;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_G;
-    q_second_rate(0) = EDF_per_x_B * t05 + EDF_per_y_B * t06 + EDF_per_phi_B * alpha_B
-        + EDF_per_across_slide_C * centripetal_across_slide_C
-        + EDF_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(1) = s_B_per_x_B * t05 + s_B_per_y_B * t06 + s_B_per_phi_B * alpha_B
-        + s_B_per_across_slide_C * centripetal_across_slide_C
-        + s_B_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(2) = s_C_per_x_B * t05 + s_C_per_y_B * t06 + s_C_per_phi_B * alpha_B
-        + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
-    q_second_rate(3) = s_G_per_x_B * t05 + s_G_per_y_B * t06 + s_G_per_phi_B * alpha_B
-        + s_G_per_across_slide_C * centripetal_across_slide_C
-        + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
+    q_second_rate(0) = s.EDF_per_x_B * t05 + s.EDF_per_y_B * t06 + s.EDF_per_phi_B * alpha_B
+        + s.EDF_per_across_slide_C * centripetal_across_slide_C
+        + s.EDF_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(1) = s.s_B_per_x_B * t05 + s.s_B_per_y_B * t06 + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_across_slide_C * centripetal_across_slide_C
+        + s.s_B_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(2) = s.s_C_per_x_B * t05 + s.s_C_per_y_B * t06 + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
+    q_second_rate(3) = s.s_G_per_x_B * t05 + s.s_G_per_y_B * t06 + s.s_G_per_phi_B * alpha_B
+        + s.s_G_per_across_slide_C * centripetal_across_slide_C
+        + s.s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
   }
 
   /// The final polynomial T in theta_EDF, free of all other unknowns:

@@ -28,19 +28,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: by BCG link CD is only shifted, by s_B and s_C, which are
-///     not parallel.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     34, 28, 0
 ///   jacobian:                     16, 8, 0
 ///   dimension_jacobian:           32, 18, 0
 ///   input_jacobian:               34, 24, 0
-///   velocity_rhs:                 38, 30, 0
-///   acceleration_rhs:             64, 44, 0
-///   jerk_rhs:                     96, 62, 0
 ///   curvature_rhs:                107, 73, 0
 ///   link_poses:                   26, 18, 0
 ///   pose_jacobians:               18, 12, 0
@@ -49,9 +41,8 @@ namespace assur::tetrad {
 ///   pose_curvatures:              64, 37, 0
 ///   degeneracies:                 0, 0, 0
 ///   inverse_jacobian:             29, 9, 1
-///   sensitivities:                79, 45, 1
-///   velocity:                     49, 34, 1
 ///   motion:                       80, 59, 1
+///   sensitivities:                79, 45, 1
 ///   sensitivities_and_motion:     131, 81, 1
 ///   position_polynomial:          16, 13, 0
 ///   complete:                     25, 18, 1
@@ -68,7 +59,7 @@ struct Model20 {
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -188,6 +179,106 @@ struct Model20 {
       {"RRP-PPP", { 3, 5, 4, 0, 2, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
+        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
+    const Scalar sin_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.sin
+        + d.psi_C_BCG.sin * d.psi_D_CD.cos;
+    const Scalar cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
+        cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
+    const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
+        sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
+    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t02 = q.s_C - t01;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t02;
+    const Scalar t03 = q.s_D * d.psi_D_CD.sin + d.h_D_EDF * d.psi_D_CD.cos;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - t03;
+    const Scalar t04 = d.x_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - d.y_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G - t04;
+    const Scalar t05 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_across_slide_G = t05 - q.s_B * d.psi_G_BCG.sin
+        - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - d.y_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
+    const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
+    // A zero divisor means sin(psi_G_BCG) = 0, or sin(psi_D_CD) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
+    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
+    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
+    const Scalar s_D_per_across_slide_G = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
+        inverse_sin_psi_G_BCG;
+    const Scalar s_G_per_across_slide_G = -d.psi_G_BCG.cos * inverse_sin_psi_G_BCG;
+    const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
+        - d.psi_C_BCG.cos * inverse_sin_psi_G_BCG;
+    const Scalar s_B_per_x_B = inverse_sin_psi_G_BCG * sin_GF;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
+        - cos_CD;
+    const Scalar s_G_per_x_B = sin_GF * s_G_per_across_slide_G - cos_GF;
+    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_G * sin_GF;
+    const Scalar s_B_per_y_B = -inverse_sin_psi_G_BCG * cos_GF;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - s_C_per_across_slide_G * cos_GF;
+    const Scalar s_G_per_y_B = -sin_GF - cos_GF * s_G_per_across_slide_G;
+    const Scalar s_D_per_y_B = -inverse_sin_psi_D_CD * cos_CD - s_D_per_across_slide_G * cos_GF;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_G * inverse_sin_psi_G_BCG;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    const Scalar s_G_per_phi_B = phi_B_across_slide_G
+        - phi_B_along_slide_G * s_G_per_across_slide_G;
+    const Scalar s_D_per_phi_B = -phi_B_along_slide_C * inverse_sin_psi_D_CD
+        - phi_B_along_slide_G * s_D_per_across_slide_G;
+    const Scalar t08 = t04 * inverse_sin_psi_G_BCG, t09 = t04 * s_C_per_across_slide_G;
+    const Scalar t10 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
+    const Scalar t11 = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t12 = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
+        + sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
+    const Scalar t13 = d.x_F_EDF * t11 + d.y_F_EDF * t12, t14 = t04 * s_D_per_across_slide_G;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d.setZero();
+      S_d(0, 0) = t08;  S_d(0, 1) = -q.s_G * inverse_sin_psi_G_BCG;
+      S_d(0, 2) = -inverse_sin_psi_G_BCG;
+      S_d(0, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
+      S_d(0, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
+      S_d(0, 6) = t08;  S_d(0, 7) = inverse_sin_psi_G_BCG;
+      S_d(1, 0) = t09 - t03 - t02 * s_C_per_across_slide_C;
+      S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(1, 2) = -s_C_per_across_slide_G;
+      S_d(1, 3) = -t10;
+      S_d(1, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
+      S_d(1, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
+      S_d(1, 6) = t09 - q.s_D * t10 - d.h_D_EDF * (d.psi_D_CD.cos
+          + d.psi_D_CD.sin * s_C_per_across_slide_C);
+      S_d(1, 7) = s_C_per_across_slide_G;
+      S_d(2, 0) = -t13;  S_d(2, 1) = t05 - q.s_G * s_G_per_across_slide_G;
+      S_d(2, 2) = -s_G_per_across_slide_G;  S_d(2, 4) = t12;  S_d(2, 5) = -t11;  S_d(2, 6) = -t13;
+      S_d(2, 7) = s_G_per_across_slide_G;
+      S_d(3, 0) = t14 - t02 * inverse_sin_psi_D_CD;  S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
+      S_d(3, 2) = -s_D_per_across_slide_G;  S_d(3, 3) = s_C_per_across_slide_C;
+      S_d(3, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
+      S_d(3, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
+      S_d(3, 6) = t14 + t01 * inverse_sin_psi_D_CD;  S_d(3, 7) = s_D_per_across_slide_G;
+      S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+      S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
+      S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+      S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
+      S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;  S_u(2, 2) = s_G_per_phi_B;
+      S_u(2, 3) = -s_G_per_x_B;  S_u(2, 4) = -s_G_per_y_B;
+      S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = s_D_per_phi_B;
+      S_u(3, 3) = -s_D_per_x_B;  S_u(3, 4) = -s_D_per_y_B;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -290,127 +381,6 @@ struct Model20 {
     F_u(2, 3) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x + slide_G_x + GF_x - EF_x;
     F_u(3, 4) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF, t03 = v_x_B - v_x_E;
-    const Scalar t04 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + slide_C_y - ED_y - slide_D_y) * omega_B - t03;
-    rhs(1) = -(slide_B_x + slide_C_x - ED_x - slide_D_x) * omega_B - t04;
-    rhs(2) = (slide_B_y + BG_y + slide_G_y + GF_y - EF_y) * omega_B - t03;
-    rhs(3) = -t04 - (slide_B_x + BG_x + slide_G_x + GF_x - EF_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = slide_B_x + slide_C_x - ED_x - slide_D_x, t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_B_y + slide_C_y - ED_y - slide_D_y, t06 = a_x_B - a_x_E;
-    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = a_y_B - a_y_E;
-    const Scalar t09 = slide_B_x + BG_x + slide_G_x + GF_x - EF_x;
-    const Scalar t10 = slide_B_y + BG_y + slide_G_y + GF_y - EF_y;
-    rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_EDF * v_s_D) + t05 * alpha_B - t06;
-    rhs(1) = omega_B * (t05 * omega_B + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t07
-        - Scalar(2) * cos_CD * v_s_C) - t03 * alpha_B - t08;
-    rhs(2) = omega_B * (Scalar(2) * t04 + t09 * omega_B + Scalar(2) * sin_GF * v_s_G)
-        + t10 * alpha_B - t06;
-    rhs(3) = -t08 - omega_B * (Scalar(2) * t07 + Scalar(2) * cos_GF * v_s_G - t10 * omega_B)
-        - t09 * alpha_B;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar EF_x = d.x_F_EDF * cos_EDF - d.y_F_EDF * sin_EDF;
-    const Scalar EF_y = d.x_F_EDF * sin_EDF + d.y_F_EDF * cos_EDF;
-    const Scalar t03 = slide_B_y + slide_C_y - ED_y - slide_D_y, t04 = j_x_B - j_x_E;
-    const Scalar t05 = slide_B_x + slide_C_x - ED_x - slide_D_x, t06 = u.phi_B.sin * a_s_B;
-    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = cos_EDF * v_s_D - t07 - cos_CD * v_s_C;
-    const Scalar t09 = u.phi_B.sin * v_s_B, t10 = sin_EDF * v_s_D - t09 - sin_CD * v_s_C;
-    const Scalar t11 = j_y_B - j_y_E, t12 = u.phi_B.cos * a_s_B;
-    const Scalar t13 = slide_B_y + BG_y + slide_G_y + GF_y - EF_y, t14 = t09 + sin_GF * v_s_G;
-    const Scalar t15 = slide_B_x + BG_x + slide_G_x + GF_x - EF_x, t16 = t07 + cos_GF * v_s_G;
-    rhs(0) = t03 * jerk_B + omega_B * (Scalar(3) * t05 * alpha_B + Scalar(3) * t06
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t03 * omega_B
-        + Scalar(3) * t08)) - t04 - Scalar(3) * alpha_B * t10;
-    rhs(1) = Scalar(3) * alpha_B * t08 + omega_B * (Scalar(3) * t03 * alpha_B
-        + Scalar(3) * cos_EDF * a_s_D + omega_B * (t05 * omega_B - Scalar(3) * t10)
-        - Scalar(3) * t12 - Scalar(3) * cos_CD * a_s_C) - t05 * jerk_B - t11;
-    rhs(2) = t13 * jerk_B + Scalar(3) * alpha_B * t14 + omega_B * (Scalar(3) * t06
-        + Scalar(3) * t15 * alpha_B + Scalar(3) * sin_GF * a_s_G - omega_B * (t13 * omega_B
-        - Scalar(3) * t16)) - t04;
-    rhs(3) = -t11 - t15 * jerk_B - Scalar(3) * alpha_B * t16 - omega_B * (Scalar(3) * t12
-        + Scalar(3) * cos_GF * a_s_G - Scalar(3) * t13 * alpha_B - omega_B * (Scalar(3) * t14
-        + t15 * omega_B));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -684,150 +654,6 @@ struct Model20 {
     J_inverse(3, 3) = s_D_per_across_slide_G * cos_GF;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    S_d.setZero();
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar cos_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
-        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.sin
-        + d.psi_C_BCG.sin * d.psi_D_CD.cos;
-    const Scalar cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
-        cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
-    const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
-        sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
-    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t02 = q.s_C - t01;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t02;
-    const Scalar t03 = q.s_D * d.psi_D_CD.sin + d.h_D_EDF * d.psi_D_CD.cos;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - t03;
-    const Scalar t04 = d.x_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        - d.y_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G - t04;
-    const Scalar t05 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t05 - q.s_B * d.psi_G_BCG.sin
-        - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        - d.y_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
-    const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
-    // A zero divisor means sin(psi_G_BCG) = 0, or sin(psi_D_CD) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
-    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_D_per_across_slide_G = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
-        inverse_sin_psi_G_BCG;
-    const Scalar s_G_per_across_slide_G = -d.psi_G_BCG.cos * inverse_sin_psi_G_BCG;
-    const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
-        - d.psi_C_BCG.cos * inverse_sin_psi_G_BCG;
-    const Scalar s_B_per_x_B = inverse_sin_psi_G_BCG * sin_GF;
-    const Scalar s_C_per_x_B = s_C_per_across_slide_C * sin_CD + s_C_per_across_slide_G * sin_GF
-        - cos_CD;
-    const Scalar s_G_per_x_B = s_G_per_across_slide_G * sin_GF - cos_GF;
-    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_G * sin_GF;
-    const Scalar s_B_per_y_B = -inverse_sin_psi_G_BCG * cos_GF;
-    const Scalar s_C_per_y_B = -sin_CD - s_C_per_across_slide_C * cos_CD
-        - s_C_per_across_slide_G * cos_GF;
-    const Scalar s_G_per_y_B = -sin_GF - s_G_per_across_slide_G * cos_GF;
-    const Scalar s_D_per_y_B = -inverse_sin_psi_D_CD * cos_CD - s_D_per_across_slide_G * cos_GF;
-    const Scalar t06 = t04 * inverse_sin_psi_G_BCG, t07 = t04 * s_C_per_across_slide_G;
-    const Scalar t08 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t09 = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t10 = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        + sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t11 = d.x_F_EDF * t09 + d.y_F_EDF * t10, t12 = t04 * s_D_per_across_slide_G;
-    S_d(0, 0) = t06;  S_d(0, 1) = -q.s_G * inverse_sin_psi_G_BCG;
-    S_d(0, 2) = -inverse_sin_psi_G_BCG;
-    S_d(0, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
-    S_d(0, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
-    S_d(0, 6) = t06;  S_d(0, 7) = inverse_sin_psi_G_BCG;
-    S_d(1, 0) = t07 - t03 - t02 * s_C_per_across_slide_C;
-    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(1, 2) = -s_C_per_across_slide_G;
-    S_d(1, 3) = -t08;
-    S_d(1, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 6) = t07 - q.s_D * t08 - d.h_D_EDF * (d.psi_D_CD.cos
-        + d.psi_D_CD.sin * s_C_per_across_slide_C);
-    S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 0) = -t11;  S_d(2, 1) = t05 - q.s_G * s_G_per_across_slide_G;
-    S_d(2, 2) = -s_G_per_across_slide_G;  S_d(2, 4) = t10;  S_d(2, 5) = -t09;  S_d(2, 6) = -t11;
-    S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = t12 - t02 * inverse_sin_psi_D_CD;  S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
-    S_d(3, 2) = -s_D_per_across_slide_G;  S_d(3, 3) = s_C_per_across_slide_C;
-    S_d(3, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 6) = t12 + t01 * inverse_sin_psi_D_CD;  S_d(3, 7) = s_D_per_across_slide_G;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = -phi_B_along_slide_G * inverse_sin_psi_G_BCG;  S_u(0, 3) = -s_B_per_x_B;
-    S_u(0, 4) = -s_B_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
-        - phi_B_along_slide_G * s_C_per_across_slide_G;
-    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
-    S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;
-    S_u(2, 2) = phi_B_across_slide_G - phi_B_along_slide_G * s_G_per_across_slide_G;
-    S_u(2, 3) = -s_G_per_x_B;  S_u(2, 4) = -s_G_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;
-    S_u(3, 2) = -phi_B_along_slide_C * inverse_sin_psi_D_CD
-        - phi_B_along_slide_G * s_D_per_across_slide_G;
-    S_u(3, 3) = -s_D_per_x_B;  S_u(3, 4) = -s_D_per_y_B;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar cos_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
-        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.sin
-        + d.psi_C_BCG.sin * d.psi_D_CD.cos;
-    const Scalar cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
-        cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
-    const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
-        sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C + d.h_D_EDF * d.psi_D_CD.sin
-        - q.s_D * d.psi_D_CD.cos;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - q.s_D * d.psi_D_CD.sin
-        - d.h_D_EDF * d.psi_D_CD.cos;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G
-        + d.y_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        - d.x_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
-    const Scalar phi_B_across_slide_G = d.h_G_BCG - q.s_B * d.psi_G_BCG.sin
-        - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        - d.y_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG - d.h_G_GF;
-    const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
-    // A zero divisor means sin(psi_G_BCG) = 0, or sin(psi_D_CD) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse, t01 = v_x_B - v_x_E;
-    const Scalar t02 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B - cos_CD * t01
-        - sin_CD * t02;
-    const Scalar velocity_across_slide_C = sin_CD * t01 - cos_CD * t02
-        - phi_B_along_slide_C * omega_B;
-    const Scalar velocity_along_slide_G = phi_B_across_slide_G * omega_B - cos_GF * t01
-        - sin_GF * t02;
-    const Scalar velocity_across_slide_G = sin_GF * t01 - cos_GF * t02
-        - phi_B_along_slide_G * omega_B;
-    const Scalar v_s_B = inverse_sin_psi_G_BCG * velocity_across_slide_G;
-    const Scalar v_s_D = inverse_sin_psi_D_CD * (d.psi_C_BCG.sin * v_s_B + velocity_across_slide_C);
-    const Scalar v_s_G = velocity_along_slide_G - d.psi_G_BCG.cos * v_s_B;
-    const Scalar v_s_C = d.psi_D_CD.cos * v_s_D + velocity_along_slide_C - d.psi_C_BCG.cos * v_s_B;
-    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_D;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -899,6 +725,15 @@ struct Model20 {
     q_second_rate(3) = a_s_D;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -907,123 +742,38 @@ struct Model20 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4);
-    S_d.setZero();
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar cos_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.cos
-        - d.psi_C_BCG.sin * d.psi_D_CD.sin;
-    const Scalar sin_psi_C_BCG_plus_psi_D_CD = d.psi_C_BCG.cos * d.psi_D_CD.sin
-        + d.psi_C_BCG.sin * d.psi_D_CD.cos;
-    const Scalar cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
-        cos_psi_C_BCG_plus_psi_D_CD + d.psi_G_BCG.sin * sin_psi_C_BCG_plus_psi_D_CD;
-    const Scalar sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG = d.psi_G_BCG.cos *
-        sin_psi_C_BCG_plus_psi_D_CD - d.psi_G_BCG.sin * cos_psi_C_BCG_plus_psi_D_CD;
-    const Scalar t01 = q.s_D * d.psi_D_CD.cos - d.h_D_EDF * d.psi_D_CD.sin, t02 = q.s_C - t01;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + t02;
-    const Scalar t03 = q.s_D * d.psi_D_CD.sin + d.h_D_EDF * d.psi_D_CD.cos;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - t03;
-    const Scalar t04 = d.x_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        - d.y_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G - t04;
-    const Scalar t05 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t05 - q.s_B * d.psi_G_BCG.sin
-        - d.x_F_EDF * sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        - d.y_F_EDF * cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG;
-    const Scalar pivot_product = d.psi_G_BCG.sin * d.psi_D_CD.sin;
-    // A zero divisor means sin(psi_G_BCG) = 0, or sin(psi_D_CD) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_psi_G_BCG = -d.psi_D_CD.sin * inverse;
-    const Scalar inverse_sin_psi_D_CD = -d.psi_G_BCG.sin * inverse;
-    const Scalar s_C_per_across_slide_C = d.psi_D_CD.cos * inverse_sin_psi_D_CD;
-    const Scalar s_D_per_across_slide_G = d.psi_C_BCG.sin * inverse_sin_psi_D_CD *
-        inverse_sin_psi_G_BCG;
-    const Scalar s_G_per_across_slide_G = -d.psi_G_BCG.cos * inverse_sin_psi_G_BCG;
-    const Scalar s_C_per_across_slide_G = d.psi_D_CD.cos * s_D_per_across_slide_G
-        - d.psi_C_BCG.cos * inverse_sin_psi_G_BCG;
-    const Scalar s_B_per_x_B = inverse_sin_psi_G_BCG * sin_GF;
-    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
-        - cos_CD;
-    const Scalar s_G_per_x_B = sin_GF * s_G_per_across_slide_G - cos_GF;
-    const Scalar s_D_per_x_B = inverse_sin_psi_D_CD * sin_CD + s_D_per_across_slide_G * sin_GF;
-    const Scalar s_B_per_y_B = -inverse_sin_psi_G_BCG * cos_GF;
-    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
-        - s_C_per_across_slide_G * cos_GF;
-    const Scalar s_G_per_y_B = -sin_GF - cos_GF * s_G_per_across_slide_G;
-    const Scalar s_D_per_y_B = -inverse_sin_psi_D_CD * cos_CD - s_D_per_across_slide_G * cos_GF;
-    const Scalar s_B_per_phi_B = -phi_B_along_slide_G * inverse_sin_psi_G_BCG;
-    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
-        - phi_B_along_slide_G * s_C_per_across_slide_G;
-    const Scalar s_G_per_phi_B = phi_B_across_slide_G
-        - phi_B_along_slide_G * s_G_per_across_slide_G;
-    const Scalar s_D_per_phi_B = -phi_B_along_slide_C * inverse_sin_psi_D_CD
-        - phi_B_along_slide_G * s_D_per_across_slide_G;
     const Scalar t06 = v_x_B - v_x_E, t07 = v_y_B - v_y_E;
-    const Scalar v_s_B = s_B_per_x_B * t06 + s_B_per_y_B * t07 + s_B_per_phi_B * omega_B;
-    const Scalar v_s_C = s_C_per_x_B * t06 + s_C_per_y_B * t07 + s_C_per_phi_B * omega_B;
-    const Scalar v_s_G = s_G_per_x_B * t06 + s_G_per_y_B * t07 + s_G_per_phi_B * omega_B;
-    const Scalar v_s_D = s_D_per_x_B * t06 + s_D_per_y_B * t07 + s_D_per_phi_B * omega_B;
+    const Scalar v_s_B = s.s_B_per_x_B * t06 + s.s_B_per_y_B * t07 + s.s_B_per_phi_B * omega_B;
+    const Scalar v_s_C = s.s_C_per_x_B * t06 + s.s_C_per_y_B * t07 + s.s_C_per_phi_B * omega_B;
+    const Scalar v_s_G = s.s_G_per_x_B * t06 + s.s_G_per_y_B * t07 + s.s_G_per_phi_B * omega_B;
+    const Scalar v_s_D = s.s_D_per_x_B * t06 + s.s_D_per_y_B * t07 + s.s_D_per_phi_B * omega_B;
     const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
-        + Scalar(2) * d.psi_D_CD.sin * v_s_D - phi_B_along_slide_C * omega_B);
+        + Scalar(2) * d.psi_D_CD.sin * v_s_D - s.phi_B_along_slide_C * omega_B);
     const Scalar centripetal_across_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B
-        + Scalar(2) * v_s_C - Scalar(2) * d.psi_D_CD.cos * v_s_D - phi_B_across_slide_C * omega_B);
+        + Scalar(2) * v_s_C - Scalar(2) * d.psi_D_CD.cos * v_s_D
+        - s.phi_B_across_slide_C * omega_B);
     const Scalar centripetal_along_slide_G = -omega_B * (Scalar(2) * d.psi_G_BCG.sin * v_s_B
-        - phi_B_along_slide_G * omega_B);
+        - s.phi_B_along_slide_G * omega_B);
     const Scalar centripetal_across_slide_G = -omega_B * (Scalar(2) * d.psi_G_BCG.cos * v_s_B
-        + Scalar(2) * v_s_G - phi_B_across_slide_G * omega_B);
-    const Scalar t08 = t04 * inverse_sin_psi_G_BCG, t09 = t04 * s_C_per_across_slide_G;
-    const Scalar t10 = d.psi_D_CD.sin - d.psi_D_CD.cos * s_C_per_across_slide_C;
-    const Scalar t11 = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        - cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t12 = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG
-        + sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_G_per_across_slide_G;
-    const Scalar t13 = d.x_F_EDF * t11 + d.y_F_EDF * t12, t14 = t04 * s_D_per_across_slide_G;
+        + Scalar(2) * v_s_G - s.phi_B_across_slide_G * omega_B);
     const Scalar t15 = a_x_B - a_x_E, t16 = a_y_B - a_y_E;
-    S_d(0, 0) = t08;  S_d(0, 1) = -q.s_G * inverse_sin_psi_G_BCG;
-    S_d(0, 2) = -inverse_sin_psi_G_BCG;
-    S_d(0, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
-    S_d(0, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * inverse_sin_psi_G_BCG;
-    S_d(0, 6) = t08;  S_d(0, 7) = inverse_sin_psi_G_BCG;
-    S_d(1, 0) = t09 - t03 - t02 * s_C_per_across_slide_C;
-    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(1, 2) = -s_C_per_across_slide_G;
-    S_d(1, 3) = -t10;
-    S_d(1, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_C_per_across_slide_G;
-    S_d(1, 6) = t09 - q.s_D * t10 - d.h_D_EDF * (d.psi_D_CD.cos
-        + d.psi_D_CD.sin * s_C_per_across_slide_C);
-    S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 0) = -t13;  S_d(2, 1) = t05 - q.s_G * s_G_per_across_slide_G;
-    S_d(2, 2) = -s_G_per_across_slide_G;  S_d(2, 4) = t12;  S_d(2, 5) = -t11;  S_d(2, 6) = -t13;
-    S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = t14 - t02 * inverse_sin_psi_D_CD;  S_d(3, 1) = -q.s_G * s_D_per_across_slide_G;
-    S_d(3, 2) = -s_D_per_across_slide_G;  S_d(3, 3) = s_C_per_across_slide_C;
-    S_d(3, 4) = sin_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 5) = cos_psi_C_BCG_plus_psi_D_CD_minus_psi_G_BCG * s_D_per_across_slide_G;
-    S_d(3, 6) = t14 + t01 * inverse_sin_psi_D_CD;  S_d(3, 7) = s_D_per_across_slide_G;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
-    S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;  S_u(2, 2) = s_G_per_phi_B;
-    S_u(2, 3) = -s_G_per_x_B;  S_u(2, 4) = -s_G_per_y_B;
-    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = s_D_per_phi_B;
-    S_u(3, 3) = -s_D_per_x_B;  S_u(3, 4) = -s_D_per_y_B;
     q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_D;
-    q_second_rate(0) = s_B_per_x_B * t15 + s_B_per_y_B * t16 + s_B_per_phi_B * alpha_B
-        + inverse_sin_psi_G_BCG * centripetal_across_slide_G;
-    q_second_rate(1) = s_C_per_x_B * t15 + s_C_per_y_B * t16 + s_C_per_phi_B * alpha_B
-        + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
-    q_second_rate(2) = s_G_per_x_B * t15 + s_G_per_y_B * t16 + s_G_per_phi_B * alpha_B
-        + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
-    q_second_rate(3) = s_D_per_x_B * t15 + s_D_per_y_B * t16 + s_D_per_phi_B * alpha_B
-        + inverse_sin_psi_D_CD * centripetal_across_slide_C
-        + s_D_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(0) = s.s_B_per_x_B * t15 + s.s_B_per_y_B * t16 + s.s_B_per_phi_B * alpha_B
+        + s.inverse_sin_psi_G_BCG * centripetal_across_slide_G;
+    q_second_rate(1) = s.s_C_per_x_B * t15 + s.s_C_per_y_B * t16 + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
+    q_second_rate(2) = s.s_G_per_x_B * t15 + s.s_G_per_y_B * t16 + s.s_G_per_phi_B * alpha_B
+        + s.s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
+    q_second_rate(3) = s.s_D_per_x_B * t15 + s.s_D_per_y_B * t16 + s.s_D_per_phi_B * alpha_B
+        + s.inverse_sin_psi_D_CD * centripetal_across_slide_C
+        + s.s_D_per_across_slide_G * centripetal_across_slide_G;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

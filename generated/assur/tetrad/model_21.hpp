@@ -29,18 +29,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: the group is no structure.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     44, 32, 0
 ///   jacobian:                     24, 12, 0
 ///   dimension_jacobian:           42, 22, 0
 ///   input_jacobian:               44, 28, 0
-///   velocity_rhs:                 48, 34, 0
-///   acceleration_rhs:             78, 50, 0
-///   jerk_rhs:                     112, 70, 0
 ///   curvature_rhs:                125, 84, 0
 ///   link_poses:                   24, 16, 0
 ///   pose_jacobians:               16, 10, 0
@@ -61,7 +54,7 @@ struct Model21 {
   static constexpr int input_count = 5;
   static constexpr int compatibility_count = 1;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -280,146 +273,6 @@ struct Model21 {
     F_u(2, 3) = -Scalar(1);
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x;
     F_u(3, 4) = -Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
-    const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = v_x_B - v_x_E, t06 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + slide_C_y - ED_y - slide_D_y) * omega_B - t05;
-    rhs(1) = -(slide_B_x + slide_C_x - ED_x - slide_D_x) * omega_B - t06;
-    rhs(2) = (slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y) * omega_B - t05;
-    rhs(3) = -t06 - (slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_D = q_rate(3);
-    const Scalar v_s_F = q_rate(4), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
-    const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = slide_B_x + slide_C_x - ED_x - slide_D_x, t06 = u.phi_B.sin * v_s_B;
-    const Scalar t07 = slide_B_y + slide_C_y - ED_y - slide_D_y, t08 = a_x_B - a_x_E;
-    const Scalar t09 = u.phi_B.cos * v_s_B, t10 = a_y_B - a_y_E;
-    const Scalar t11 = slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x;
-    const Scalar t12 = slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y;
-    rhs(0) = omega_B * (t05 * omega_B + Scalar(2) * t06 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_EDF * v_s_D) + t07 * alpha_B - t08;
-    rhs(1) = omega_B * (t07 * omega_B + Scalar(2) * cos_EDF * v_s_D - Scalar(2) * t09
-        - Scalar(2) * cos_CD * v_s_C) - t05 * alpha_B - t10;
-    rhs(2) = omega_B * (Scalar(2) * t06 + t11 * omega_B + Scalar(2) * sin_GF * v_s_G
-        - Scalar(2) * sin_slide_F * v_s_F) + t12 * alpha_B - t08;
-    rhs(3) = -t10 - omega_B * (Scalar(2) * t09 + Scalar(2) * cos_GF * v_s_G - t12 * omega_B
-        - Scalar(2) * cos_slide_F * v_s_F) - t11 * alpha_B;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), v_s_F = q_rate(4);
-    const Scalar a_s_F = q_second_rate(4), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
-    const Scalar t01 = d.psi_D_CD.cos * u.phi_B.cos - d.psi_D_CD.sin * u.phi_B.sin;
-    const Scalar t02 = d.psi_D_CD.cos * u.phi_B.sin + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_EDF = t01 * d.psi_C_BCG.cos - t02 * d.psi_C_BCG.sin;
-    const Scalar sin_EDF = d.psi_C_BCG.cos * t02 + t01 * d.psi_C_BCG.sin;
-    const Scalar cos_CD = u.phi_B.cos * d.psi_C_BCG.cos - u.phi_B.sin * d.psi_C_BCG.sin;
-    const Scalar sin_CD = u.phi_B.sin * d.psi_C_BCG.cos + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar ED_x = -d.h_D_EDF * sin_EDF, ED_y = d.h_D_EDF * cos_EDF;
-    const Scalar slide_D_x = q.s_D * cos_EDF, slide_D_y = q.s_D * sin_EDF;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF;
-    const Scalar EF_x = -d.h_F_EDF * (sin_EDF * d.psi_F_EDF.cos + cos_EDF * d.psi_F_EDF.sin);
-    const Scalar EF_y = d.h_F_EDF * (cos_EDF * d.psi_F_EDF.cos - sin_EDF * d.psi_F_EDF.sin);
-    const Scalar t03 = u.phi_B.cos * d.psi_F_GF.cos - u.phi_B.sin * d.psi_F_GF.sin;
-    const Scalar t04 = u.phi_B.sin * d.psi_F_GF.cos + u.phi_B.cos * d.psi_F_GF.sin;
-    const Scalar cos_slide_F = d.psi_G_BCG.cos * t03 - d.psi_G_BCG.sin * t04;
-    const Scalar sin_slide_F = d.psi_G_BCG.cos * t04 + d.psi_G_BCG.sin * t03;
-    const Scalar slide_F_x = q.s_F * cos_slide_F, slide_F_y = q.s_F * sin_slide_F;
-    const Scalar t05 = slide_B_y + slide_C_y - ED_y - slide_D_y, t06 = j_x_B - j_x_E;
-    const Scalar t07 = slide_B_x + slide_C_x - ED_x - slide_D_x, t08 = u.phi_B.sin * a_s_B;
-    const Scalar t09 = u.phi_B.cos * v_s_B, t10 = cos_EDF * v_s_D - t09 - cos_CD * v_s_C;
-    const Scalar t11 = u.phi_B.sin * v_s_B, t12 = sin_EDF * v_s_D - t11 - sin_CD * v_s_C;
-    const Scalar t13 = j_y_B - j_y_E, t14 = u.phi_B.cos * a_s_B;
-    const Scalar t15 = slide_B_y + BG_y + slide_G_y - EF_y - slide_F_y;
-    const Scalar t16 = sin_slide_F * v_s_F - t11 - sin_GF * v_s_G;
-    const Scalar t17 = slide_B_x + BG_x + slide_G_x - EF_x - slide_F_x;
-    const Scalar t18 = cos_slide_F * v_s_F - t09 - cos_GF * v_s_G;
-    rhs(0) = t05 * jerk_B + omega_B * (Scalar(3) * t07 * alpha_B + Scalar(3) * t08
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_EDF * a_s_D - omega_B * (t05 * omega_B
-        + Scalar(3) * t10)) - t06 - Scalar(3) * alpha_B * t12;
-    rhs(1) = Scalar(3) * alpha_B * t10 + omega_B * (Scalar(3) * t05 * alpha_B
-        + Scalar(3) * cos_EDF * a_s_D + omega_B * (t07 * omega_B - Scalar(3) * t12)
-        - Scalar(3) * t14 - Scalar(3) * cos_CD * a_s_C) - t07 * jerk_B - t13;
-    rhs(2) = t15 * jerk_B + omega_B * (Scalar(3) * t08 + Scalar(3) * t17 * alpha_B
-        + Scalar(3) * sin_GF * a_s_G - Scalar(3) * sin_slide_F * a_s_F - omega_B * (t15 * omega_B
-        + Scalar(3) * t18)) - t06 - Scalar(3) * alpha_B * t16;
-    rhs(3) = Scalar(3) * alpha_B * t18 - t13 - t17 * jerk_B - omega_B * (Scalar(3) * t14
-        + Scalar(3) * cos_GF * a_s_G - Scalar(3) * t15 * alpha_B - Scalar(3) * cos_slide_F * a_s_F
-        - omega_B * (t17 * omega_B - Scalar(3) * t16));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

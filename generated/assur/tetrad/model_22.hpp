@@ -28,19 +28,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: by BCG link CD is only shifted, by s_B and s_C, which are
-///     not parallel.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     28, 27, 0
 ///   jacobian:                     8, 4, 0
 ///   dimension_jacobian:           18, 10, 0
 ///   input_jacobian:               28, 21, 0
-///   velocity_rhs:                 36, 31, 0
-///   acceleration_rhs:             72, 51, 0
-///   jerk_rhs:                     126, 79, 0
 ///   curvature_rhs:                94, 60, 0
 ///   link_poses:                   24, 20, 0
 ///   pose_jacobians:               24, 16, 0
@@ -49,9 +41,8 @@ namespace assur::tetrad {
 ///   pose_curvatures:              84, 47, 0
 ///   degeneracies:                 4, 2, 0
 ///   inverse_jacobian:             52, 18, 1
-///   sensitivities:                98, 58, 1
-///   velocity:                     62, 41, 1
 ///   motion:                       110, 79, 1
+///   sensitivities:                98, 58, 1
 ///   sensitivities_and_motion:     172, 110, 1
 ///   position_polynomial:          36, 24, 0
 ///   second_equations:             30, 24, 0
@@ -69,7 +60,7 @@ struct Model22 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -189,6 +180,125 @@ struct Model22 {
       {"PRR-PPP", { 3, 4, 5, 0, 1, 2 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
+    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
+    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
+    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
+        + u.phi_E.sin * sin_CD;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
+        - u.phi_E.cos * sin_CD;
+    const Scalar cos_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.cos * cos_GF
+        + u.phi_E.sin * sin_GF;
+    const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
+        - u.phi_E.cos * sin_GF;
+    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
+    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
+    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
+        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
+    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G, t01 = d.h_G_BCG - d.h_G_GF;
+    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin, t02 = q.s_E + d.x_F_EDF;
+    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
+    const Scalar phi_E_along_slide_G = -t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
+        - t03 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
+    const Scalar phi_E_across_slide_G = t03 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
+        - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
+    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
+    const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
+        - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
+    const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
+    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
+    const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
+    const Scalar t04 = inverse_sin_phi_B_minus_phi_E * inverse_sin_psi_C_BCG_minus_psi_G_BCG;
+    const Scalar s_B_per_across_slide_C = -sin_phi_E_minus_phi_B_minus_psi_G_BCG * t04;
+    const Scalar s_E_per_across_slide_C = d.psi_G_BCG.sin * t04;
+    const Scalar s_G_per_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_G_BCG *
+        s_E_per_across_slide_C - d.psi_G_BCG.cos * s_B_per_across_slide_C;
+    const Scalar t05 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
+    const Scalar s_C_per_across_slide_C = t05 - d.psi_C_BCG.cos * s_B_per_across_slide_C;
+    const Scalar s_B_per_across_slide_G = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t04;
+    const Scalar s_E_per_across_slide_G = -d.psi_C_BCG.sin * t04;
+    const Scalar t06 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = t06 - d.psi_G_BCG.cos * s_B_per_across_slide_G;
+    const Scalar s_C_per_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
+        s_E_per_across_slide_G - d.psi_C_BCG.cos * s_B_per_across_slide_G;
+    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
+    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
+        - cos_CD;
+    const Scalar s_G_per_x_B = sin_CD * s_G_per_across_slide_C + sin_GF * s_G_per_across_slide_G
+        - cos_GF;
+    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_G;
+    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_G;
+    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
+        - cos_GF * s_C_per_across_slide_G;
+    const Scalar s_G_per_y_B = -sin_GF - cos_CD * s_G_per_across_slide_C
+        - cos_GF * s_G_per_across_slide_G;
+    const Scalar s_E_per_y_B = -cos_CD * s_E_per_across_slide_C - cos_GF * s_E_per_across_slide_G;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_C * s_B_per_across_slide_C
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    const Scalar s_G_per_phi_B = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
+        - phi_B_along_slide_G * s_G_per_across_slide_G;
+    const Scalar s_E_per_phi_B = -phi_B_along_slide_C * s_E_per_across_slide_C
+        - phi_B_along_slide_G * s_E_per_across_slide_G;
+    const Scalar s_B_per_phi_E = -phi_E_along_slide_C * s_B_per_across_slide_C
+        - phi_E_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_C_per_phi_E = phi_E_across_slide_C - phi_E_along_slide_C * s_C_per_across_slide_C
+        - phi_E_along_slide_G * s_C_per_across_slide_G;
+    const Scalar s_G_per_phi_E = phi_E_across_slide_G - phi_E_along_slide_C * s_G_per_across_slide_C
+        - phi_E_along_slide_G * s_G_per_across_slide_G;
+    const Scalar s_E_per_phi_E = -phi_E_along_slide_C * s_E_per_across_slide_C
+        - phi_E_along_slide_G * s_E_per_across_slide_G;
+    const Scalar t09 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
+    const Scalar t10 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
+    const Scalar t11 = sin_phi_E_minus_phi_B_minus_psi_G_BCG
+        - cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = -q.s_C * s_B_per_across_slide_C;  S_d(0, 1) = -q.s_G * s_B_per_across_slide_G;
+      S_d(0, 2) = -s_B_per_across_slide_G;
+      S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C - t09;
+      S_d(0, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;  S_d(0, 5) = t09;
+      S_d(0, 6) = s_B_per_across_slide_C;  S_d(0, 7) = s_B_per_across_slide_G;
+      S_d(1, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
+      S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(1, 2) = -s_C_per_across_slide_G;
+      S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG
+          - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C - t10;
+      S_d(1, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;  S_d(1, 5) = t10;
+      S_d(1, 6) = s_C_per_across_slide_C;  S_d(1, 7) = s_C_per_across_slide_G;
+      S_d(2, 0) = -q.s_C * s_G_per_across_slide_C;
+      S_d(2, 1) = t01 - q.s_G * s_G_per_across_slide_G;  S_d(2, 2) = -s_G_per_across_slide_G;
+      S_d(2, 3) = t11 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
+      S_d(2, 4) = cos_phi_E_minus_phi_B_minus_psi_G_BCG
+          + sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
+      S_d(2, 5) = -t11;  S_d(2, 6) = s_G_per_across_slide_C;  S_d(2, 7) = s_G_per_across_slide_G;
+      S_d(3, 0) = -q.s_C * s_E_per_across_slide_C;  S_d(3, 1) = -q.s_G * s_E_per_across_slide_G;
+      S_d(3, 2) = -s_E_per_across_slide_G;  S_d(3, 3) = -t05 - t06;
+      S_d(3, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;  S_d(3, 5) = t06;
+      S_d(3, 6) = s_E_per_across_slide_C;  S_d(3, 7) = s_E_per_across_slide_G;
+      S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+      S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;  S_u(0, 5) = s_B_per_phi_E;
+      S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+      S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;  S_u(1, 5) = s_C_per_phi_E;
+      S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;  S_u(2, 2) = s_G_per_phi_B;
+      S_u(2, 3) = -s_G_per_x_B;  S_u(2, 4) = -s_G_per_y_B;  S_u(2, 5) = s_G_per_phi_E;
+      S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
+      S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;  S_u(3, 5) = s_E_per_phi_E;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -274,129 +384,6 @@ struct Model22 {
     F_u(2, 3) = -Scalar(1);  F_u(2, 5) = slide_E_y + EF_y;
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x + slide_G_x + GF_x;
     F_u(3, 4) = -Scalar(1);  F_u(3, 5) = -slide_E_x - EF_x;
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos, t02 = v_x_B - v_x_E;
-    const Scalar t03 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + slide_C_y + CD_y) * omega_B - (slide_E_y + ED_y) * omega_E - t02;
-    rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + slide_C_x + CD_x) * omega_B - t03;
-    rhs(2) = (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B - t02 - (slide_E_y + EF_y) * omega_E;
-    rhs(3) = (slide_E_x + EF_x) * omega_E - t03 - (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_E = u_second_rate(3), a_y_E = u_second_rate(4);
-    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos;
-    const Scalar t02 = slide_B_x + slide_C_x + CD_x, t03 = u.phi_B.sin * v_s_B;
-    const Scalar t04 = slide_B_y + slide_C_y + CD_y, t05 = slide_E_x + ED_x;
-    const Scalar t06 = u.phi_E.sin * v_s_E, t07 = slide_E_y + ED_y, t08 = a_x_B - a_x_E;
-    const Scalar t09 = u.phi_B.cos * v_s_B, t10 = u.phi_E.cos * v_s_E, t11 = a_y_B - a_y_E;
-    const Scalar t12 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t13 = slide_B_y + BG_y + slide_G_y + GF_y, t14 = slide_E_x + EF_x;
-    const Scalar t15 = slide_E_y + EF_y;
-    rhs(0) = omega_B * (t02 * omega_B + Scalar(2) * t03 + Scalar(2) * sin_CD * v_s_C)
-        + t04 * alpha_B - omega_E * (t05 * omega_E + Scalar(2) * t06) - t07 * alpha_E - t08;
-    rhs(1) = omega_B * (t04 * omega_B - Scalar(2) * t09 - Scalar(2) * cos_CD * v_s_C)
-        + t05 * alpha_E - t02 * alpha_B - omega_E * (t07 * omega_E - Scalar(2) * t10) - t11;
-    rhs(2) = omega_B * (Scalar(2) * t03 + t12 * omega_B + Scalar(2) * sin_GF * v_s_G)
-        + t13 * alpha_B - t08 - omega_E * (Scalar(2) * t06 + t14 * omega_E) - t15 * alpha_E;
-    rhs(3) = omega_E * (Scalar(2) * t10 - t15 * omega_E) + t14 * alpha_E - t11
-        - omega_B * (Scalar(2) * t09 + Scalar(2) * cos_GF * v_s_G - t13 * omega_B) - t12 * alpha_B;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_E = u_third_rate(3), j_y_E = u_third_rate(4);
-    const Scalar omega_E = u_rate(5), alpha_E = u_second_rate(5), jerk_E = u_third_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD, CD_x = d.h_C_CD * sin_CD;
-    const Scalar CD_y = -d.h_C_CD * cos_CD, slide_E_x = q.s_E * u.phi_E.cos;
-    const Scalar slide_E_y = q.s_E * u.phi_E.sin, ED_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_y = -d.h_E_EDF * u.phi_E.cos, BG_x = -d.h_G_BCG * sin_GF;
-    const Scalar BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF, slide_G_y = q.s_G * sin_GF;
-    const Scalar GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF, t01 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar EF_x = t01 * u.phi_E.sin + d.x_F_EDF * u.phi_E.cos;
-    const Scalar EF_y = d.x_F_EDF * u.phi_E.sin - t01 * u.phi_E.cos, t02 = slide_E_y + ED_y;
-    const Scalar t03 = u.phi_E.cos * v_s_E, t04 = slide_E_x + ED_x, t05 = u.phi_E.sin * a_s_E;
-    const Scalar t06 = slide_B_y + slide_C_y + CD_y, t07 = u.phi_B.sin * v_s_B;
-    const Scalar t08 = t07 + sin_CD * v_s_C, t09 = u.phi_E.sin * v_s_E, t10 = alpha_E * t09;
-    const Scalar t11 = slide_B_x + slide_C_x + CD_x, t12 = u.phi_B.sin * a_s_B;
-    const Scalar t13 = u.phi_B.cos * v_s_B, t14 = t13 + cos_CD * v_s_C, t15 = j_x_B - j_x_E;
-    const Scalar t16 = u.phi_E.cos * a_s_E, t17 = t03 * alpha_E, t18 = u.phi_B.cos * a_s_B;
-    const Scalar t19 = j_y_B - j_y_E, t20 = slide_E_y + EF_y, t21 = slide_E_x + EF_x;
-    const Scalar t22 = slide_B_y + BG_y + slide_G_y + GF_y, t23 = t07 + sin_GF * v_s_G;
-    const Scalar t24 = slide_B_x + BG_x + slide_G_x + GF_x, t25 = t13 + cos_GF * v_s_G;
-    rhs(0) = omega_E * (omega_E * (t02 * omega_E - Scalar(3) * t03) - Scalar(3) * t04 * alpha_E
-        - Scalar(3) * t05) + t06 * jerk_B + Scalar(3) * alpha_B * t08
-        + omega_B * (Scalar(3) * t11 * alpha_B + Scalar(3) * t12 + Scalar(3) * sin_CD * a_s_C
-        - omega_B * (t06 * omega_B - Scalar(3) * t14)) - t02 * jerk_E - Scalar(3) * t10 - t15;
-    rhs(1) = t04 * jerk_E + Scalar(3) * t17 + omega_B * (Scalar(3) * t06 * alpha_B
-        + omega_B * (Scalar(3) * t08 + t11 * omega_B) - Scalar(3) * t18
-        - Scalar(3) * cos_CD * a_s_C) - omega_E * (omega_E * (t04 * omega_E + Scalar(3) * t09)
-        + Scalar(3) * t02 * alpha_E - Scalar(3) * t16) - t11 * jerk_B - Scalar(3) * t14 * alpha_B
-        - t19;
-    rhs(2) = t22 * jerk_B + Scalar(3) * alpha_B * t23 + omega_B * (Scalar(3) * t12
-        + Scalar(3) * t24 * alpha_B + Scalar(3) * sin_GF * a_s_G - omega_B * (t22 * omega_B
-        - Scalar(3) * t25)) - omega_E * (Scalar(3) * t05 + omega_E * (Scalar(3) * t03
-        - t20 * omega_E) + Scalar(3) * t21 * alpha_E) - t20 * jerk_E - Scalar(3) * t10 - t15;
-    rhs(3) = omega_E * (Scalar(3) * t16 - omega_E * (Scalar(3) * t09 + t21 * omega_E)
-        - Scalar(3) * t20 * alpha_E) + t21 * jerk_E + Scalar(3) * t17 - t24 * jerk_B
-        - Scalar(3) * alpha_B * t25 - omega_B * (Scalar(3) * t18 + Scalar(3) * cos_GF * a_s_G
-        - Scalar(3) * t22 * alpha_B - omega_B * (Scalar(3) * t23 + t24 * omega_B)) - t19;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -718,181 +705,6 @@ struct Model22 {
     J_inverse(3, 3) = cos_GF * s_E_per_across_slide_G;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
-        + u.phi_E.sin * sin_CD;
-    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
-        - u.phi_E.cos * sin_CD;
-    const Scalar cos_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.cos * cos_GF
-        + u.phi_E.sin * sin_GF;
-    const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
-        - u.phi_E.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
-    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G, t01 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin, t02 = q.s_E + d.x_F_EDF;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar phi_E_along_slide_G = -t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
-        - t03 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
-    const Scalar phi_E_across_slide_G = t03 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
-        - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
-    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
-        - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
-    const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
-    const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
-    const Scalar t04 = inverse_sin_phi_B_minus_phi_E * inverse_sin_psi_C_BCG_minus_psi_G_BCG;
-    const Scalar s_B_per_across_slide_C = -sin_phi_E_minus_phi_B_minus_psi_G_BCG * t04;
-    const Scalar s_E_per_across_slide_C = d.psi_G_BCG.sin * t04;
-    const Scalar s_G_per_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_G_BCG *
-        s_E_per_across_slide_C - d.psi_G_BCG.cos * s_B_per_across_slide_C;
-    const Scalar t05 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = t05 - d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar s_B_per_across_slide_G = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t04;
-    const Scalar s_E_per_across_slide_G = -d.psi_C_BCG.sin * t04;
-    const Scalar t06 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = t06 - d.psi_G_BCG.cos * s_B_per_across_slide_G;
-    const Scalar s_C_per_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
-        s_E_per_across_slide_G - d.psi_C_BCG.cos * s_B_per_across_slide_G;
-    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
-    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
-        - cos_CD;
-    const Scalar s_G_per_x_B = sin_CD * s_G_per_across_slide_C + sin_GF * s_G_per_across_slide_G
-        - cos_GF;
-    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_G;
-    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_G;
-    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
-        - cos_GF * s_C_per_across_slide_G;
-    const Scalar s_G_per_y_B = -sin_GF - cos_CD * s_G_per_across_slide_C
-        - cos_GF * s_G_per_across_slide_G;
-    const Scalar s_E_per_y_B = -cos_CD * s_E_per_across_slide_C - cos_GF * s_E_per_across_slide_G;
-    const Scalar t07 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
-    const Scalar t08 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
-    const Scalar t09 = sin_phi_E_minus_phi_B_minus_psi_G_BCG
-        - cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
-    S_d(0, 0) = -q.s_C * s_B_per_across_slide_C;  S_d(0, 1) = -q.s_G * s_B_per_across_slide_G;
-    S_d(0, 2) = -s_B_per_across_slide_G;
-    S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C - t07;
-    S_d(0, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;  S_d(0, 5) = t07;
-    S_d(0, 6) = s_B_per_across_slide_C;  S_d(0, 7) = s_B_per_across_slide_G;
-    S_d(1, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
-    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(1, 2) = -s_C_per_across_slide_G;
-    S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG
-        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C - t08;
-    S_d(1, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;  S_d(1, 5) = t08;
-    S_d(1, 6) = s_C_per_across_slide_C;  S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 0) = -q.s_C * s_G_per_across_slide_C;  S_d(2, 1) = t01 - q.s_G * s_G_per_across_slide_G;
-    S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 3) = t09 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
-    S_d(2, 4) = cos_phi_E_minus_phi_B_minus_psi_G_BCG
-        + sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
-    S_d(2, 5) = -t09;  S_d(2, 6) = s_G_per_across_slide_C;  S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = -q.s_C * s_E_per_across_slide_C;  S_d(3, 1) = -q.s_G * s_E_per_across_slide_G;
-    S_d(3, 2) = -s_E_per_across_slide_G;  S_d(3, 3) = -t05 - t06;
-    S_d(3, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;  S_d(3, 5) = t06;
-    S_d(3, 6) = s_E_per_across_slide_C;  S_d(3, 7) = s_E_per_across_slide_G;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;
-    S_u(0, 2) = -phi_B_along_slide_C * s_B_per_across_slide_C
-        - phi_B_along_slide_G * s_B_per_across_slide_G;
-    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;
-    S_u(0, 5) = -phi_E_along_slide_C * s_B_per_across_slide_C
-        - phi_E_along_slide_G * s_B_per_across_slide_G;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;
-    S_u(1, 2) = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
-        - phi_B_along_slide_G * s_C_per_across_slide_G;
-    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;
-    S_u(1, 5) = phi_E_across_slide_C - phi_E_along_slide_C * s_C_per_across_slide_C
-        - phi_E_along_slide_G * s_C_per_across_slide_G;
-    S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;
-    S_u(2, 2) = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
-        - phi_B_along_slide_G * s_G_per_across_slide_G;
-    S_u(2, 3) = -s_G_per_x_B;  S_u(2, 4) = -s_G_per_y_B;
-    S_u(2, 5) = phi_E_across_slide_G - phi_E_along_slide_C * s_G_per_across_slide_C
-        - phi_E_along_slide_G * s_G_per_across_slide_G;
-    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;
-    S_u(3, 2) = -phi_B_along_slide_C * s_E_per_across_slide_C
-        - phi_B_along_slide_G * s_E_per_across_slide_G;
-    S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;
-    S_u(3, 5) = -phi_E_along_slide_C * s_E_per_across_slide_C
-        - phi_E_along_slide_G * s_E_per_across_slide_G;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
-        + u.phi_E.sin * sin_CD;
-    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
-        - u.phi_E.cos * sin_CD;
-    const Scalar cos_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.cos * cos_GF
-        + u.phi_E.sin * sin_GF;
-    const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
-        - u.phi_E.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
-    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G;
-    const Scalar phi_B_across_slide_G = d.h_G_BCG - q.s_B * d.psi_G_BCG.sin - d.h_G_GF;
-    const Scalar t01 = q.s_E + d.x_F_EDF, t02 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar phi_E_along_slide_G = -t01 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
-        - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
-    const Scalar phi_E_across_slide_G = t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
-        - t01 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
-    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
-        - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
-    const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
-    const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
-    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
-    const Scalar velocity_along_slide_C = phi_B_across_slide_C * omega_B
-        + phi_E_across_slide_C * omega_E - cos_CD * t03 - sin_CD * t04;
-    const Scalar velocity_across_slide_C = sin_CD * t03 - cos_CD * t04
-        - phi_B_along_slide_C * omega_B - phi_E_along_slide_C * omega_E;
-    const Scalar velocity_along_slide_G = phi_B_across_slide_G * omega_B
-        + phi_E_across_slide_G * omega_E - cos_GF * t03 - sin_GF * t04;
-    const Scalar velocity_across_slide_G = sin_GF * t03 - cos_GF * t04
-        - phi_B_along_slide_G * omega_B - phi_E_along_slide_G * omega_E;
-    const Scalar t05 = inverse_sin_psi_C_BCG_minus_psi_G_BCG * inverse_sin_phi_B_minus_phi_E;
-    const Scalar v_s_B = t05 * (sin_phi_E_minus_phi_B_minus_psi_C_BCG * velocity_across_slide_G
-        - sin_phi_E_minus_phi_B_minus_psi_G_BCG * velocity_across_slide_C);
-    const Scalar v_s_E = -t05 * (d.psi_C_BCG.sin * velocity_across_slide_G
-        - d.psi_G_BCG.sin * velocity_across_slide_C);
-    const Scalar v_s_G = cos_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E + velocity_along_slide_G
-        - d.psi_G_BCG.cos * v_s_B;
-    const Scalar v_s_C = cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + velocity_along_slide_C
-        - d.psi_C_BCG.cos * v_s_B;
-    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_E;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -982,6 +794,15 @@ struct Model22 {
     q_second_rate(3) = a_s_E;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -990,156 +811,51 @@ struct Model22 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_E = u_rate(3), a_x_E = u_second_rate(3), v_y_E = u_rate(4);
     const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar cos_phi_E_minus_phi_B_minus_psi_C_BCG = u.phi_E.cos * cos_CD
-        + u.phi_E.sin * sin_CD;
-    const Scalar sin_phi_E_minus_phi_B_minus_psi_C_BCG = cos_CD * u.phi_E.sin
-        - u.phi_E.cos * sin_CD;
-    const Scalar cos_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.cos * cos_GF
-        + u.phi_E.sin * sin_GF;
-    const Scalar sin_phi_E_minus_phi_B_minus_psi_G_BCG = u.phi_E.sin * cos_GF
-        - u.phi_E.cos * sin_GF;
-    const Scalar phi_B_along_slide_C = q.s_B * d.psi_C_BCG.cos + q.s_C;
-    const Scalar phi_B_across_slide_C = -q.s_B * d.psi_C_BCG.sin - d.h_C_CD;
-    const Scalar phi_E_along_slide_C = -q.s_E * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - d.h_E_EDF * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_E_across_slide_C = d.h_E_EDF * cos_phi_E_minus_phi_B_minus_psi_C_BCG
-        - q.s_E * sin_phi_E_minus_phi_B_minus_psi_C_BCG;
-    const Scalar phi_B_along_slide_G = q.s_B * d.psi_G_BCG.cos + q.s_G, t01 = d.h_G_BCG - d.h_G_GF;
-    const Scalar phi_B_across_slide_G = t01 - q.s_B * d.psi_G_BCG.sin, t02 = q.s_E + d.x_F_EDF;
-    const Scalar t03 = d.h_E_EDF - d.y_F_EDF;
-    const Scalar phi_E_along_slide_G = -t02 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
-        - t03 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
-    const Scalar phi_E_across_slide_G = t03 * cos_phi_E_minus_phi_B_minus_psi_G_BCG
-        - t02 * sin_phi_E_minus_phi_B_minus_psi_G_BCG;
-    const Scalar sin_phi_B_minus_phi_E = u.phi_B.sin * u.phi_E.cos - u.phi_B.cos * u.phi_E.sin;
-    const Scalar sin_psi_C_BCG_minus_psi_G_BCG = d.psi_C_BCG.sin * d.psi_G_BCG.cos
-        - d.psi_C_BCG.cos * d.psi_G_BCG.sin;
-    const Scalar pivot_product = -sin_phi_B_minus_phi_E * sin_psi_C_BCG_minus_psi_G_BCG;
-    // A zero divisor means sin(phi_B - phi_E) = 0, or sin(psi_C_BCG - psi_G_BCG) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_phi_B_minus_phi_E = sin_psi_C_BCG_minus_psi_G_BCG * inverse;
-    const Scalar inverse_sin_psi_C_BCG_minus_psi_G_BCG = -sin_phi_B_minus_phi_E * inverse;
-    const Scalar t04 = inverse_sin_phi_B_minus_phi_E * inverse_sin_psi_C_BCG_minus_psi_G_BCG;
-    const Scalar s_B_per_across_slide_C = -sin_phi_E_minus_phi_B_minus_psi_G_BCG * t04;
-    const Scalar s_E_per_across_slide_C = d.psi_G_BCG.sin * t04;
-    const Scalar s_G_per_across_slide_C = cos_phi_E_minus_phi_B_minus_psi_G_BCG *
-        s_E_per_across_slide_C - d.psi_G_BCG.cos * s_B_per_across_slide_C;
-    const Scalar t05 = cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_E_per_across_slide_C;
-    const Scalar s_C_per_across_slide_C = t05 - d.psi_C_BCG.cos * s_B_per_across_slide_C;
-    const Scalar s_B_per_across_slide_G = sin_phi_E_minus_phi_B_minus_psi_C_BCG * t04;
-    const Scalar s_E_per_across_slide_G = -d.psi_C_BCG.sin * t04;
-    const Scalar t06 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = t06 - d.psi_G_BCG.cos * s_B_per_across_slide_G;
-    const Scalar s_C_per_across_slide_G = cos_phi_E_minus_phi_B_minus_psi_C_BCG *
-        s_E_per_across_slide_G - d.psi_C_BCG.cos * s_B_per_across_slide_G;
-    const Scalar s_B_per_x_B = sin_CD * s_B_per_across_slide_C + sin_GF * s_B_per_across_slide_G;
-    const Scalar s_C_per_x_B = sin_CD * s_C_per_across_slide_C + sin_GF * s_C_per_across_slide_G
-        - cos_CD;
-    const Scalar s_G_per_x_B = sin_CD * s_G_per_across_slide_C + sin_GF * s_G_per_across_slide_G
-        - cos_GF;
-    const Scalar s_E_per_x_B = sin_CD * s_E_per_across_slide_C + sin_GF * s_E_per_across_slide_G;
-    const Scalar s_B_per_y_B = -cos_CD * s_B_per_across_slide_C - cos_GF * s_B_per_across_slide_G;
-    const Scalar s_C_per_y_B = -sin_CD - cos_CD * s_C_per_across_slide_C
-        - cos_GF * s_C_per_across_slide_G;
-    const Scalar s_G_per_y_B = -sin_GF - cos_CD * s_G_per_across_slide_C
-        - cos_GF * s_G_per_across_slide_G;
-    const Scalar s_E_per_y_B = -cos_CD * s_E_per_across_slide_C - cos_GF * s_E_per_across_slide_G;
-    const Scalar s_B_per_phi_B = -phi_B_along_slide_C * s_B_per_across_slide_C
-        - phi_B_along_slide_G * s_B_per_across_slide_G;
-    const Scalar s_C_per_phi_B = phi_B_across_slide_C - phi_B_along_slide_C * s_C_per_across_slide_C
-        - phi_B_along_slide_G * s_C_per_across_slide_G;
-    const Scalar s_G_per_phi_B = phi_B_across_slide_G - phi_B_along_slide_C * s_G_per_across_slide_C
-        - phi_B_along_slide_G * s_G_per_across_slide_G;
-    const Scalar s_E_per_phi_B = -phi_B_along_slide_C * s_E_per_across_slide_C
-        - phi_B_along_slide_G * s_E_per_across_slide_G;
-    const Scalar s_B_per_phi_E = -phi_E_along_slide_C * s_B_per_across_slide_C
-        - phi_E_along_slide_G * s_B_per_across_slide_G;
-    const Scalar s_C_per_phi_E = phi_E_across_slide_C - phi_E_along_slide_C * s_C_per_across_slide_C
-        - phi_E_along_slide_G * s_C_per_across_slide_G;
-    const Scalar s_G_per_phi_E = phi_E_across_slide_G - phi_E_along_slide_C * s_G_per_across_slide_C
-        - phi_E_along_slide_G * s_G_per_across_slide_G;
-    const Scalar s_E_per_phi_E = -phi_E_along_slide_C * s_E_per_across_slide_C
-        - phi_E_along_slide_G * s_E_per_across_slide_G;
     const Scalar t07 = v_x_B - v_x_E, t08 = v_y_B - v_y_E;
-    const Scalar v_s_B = s_B_per_x_B * t07 + s_B_per_y_B * t08 + s_B_per_phi_B * omega_B
-        + s_B_per_phi_E * omega_E;
-    const Scalar v_s_C = s_C_per_x_B * t07 + s_C_per_y_B * t08 + s_C_per_phi_B * omega_B
-        + s_C_per_phi_E * omega_E;
-    const Scalar v_s_G = s_G_per_x_B * t07 + s_G_per_y_B * t08 + s_G_per_phi_B * omega_B
-        + s_G_per_phi_E * omega_E;
-    const Scalar v_s_E = s_E_per_x_B * t07 + s_E_per_y_B * t08 + s_E_per_phi_B * omega_B
-        + s_E_per_phi_E * omega_E;
+    const Scalar v_s_B = s.s_B_per_x_B * t07 + s.s_B_per_y_B * t08 + s.s_B_per_phi_B * omega_B
+        + s.s_B_per_phi_E * omega_E;
+    const Scalar v_s_C = s.s_C_per_x_B * t07 + s.s_C_per_y_B * t08 + s.s_C_per_phi_B * omega_B
+        + s.s_C_per_phi_E * omega_E;
+    const Scalar v_s_G = s.s_G_per_x_B * t07 + s.s_G_per_y_B * t08 + s.s_G_per_phi_B * omega_B
+        + s.s_G_per_phi_E * omega_E;
+    const Scalar v_s_E = s.s_E_per_x_B * t07 + s.s_E_per_y_B * t08 + s.s_E_per_phi_B * omega_B
+        + s.s_E_per_phi_E * omega_E;
     const Scalar centripetal_along_slide_C = -omega_B * (Scalar(2) * d.psi_C_BCG.sin * v_s_B
-        - phi_B_along_slide_C * omega_B)
-        - omega_E * (Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E
-        - phi_E_along_slide_C * omega_E);
+        - s.phi_B_along_slide_C * omega_B)
+        - omega_E * (Scalar(2) * s.sin_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E
+        - s.phi_E_along_slide_C * omega_E);
     const Scalar centripetal_across_slide_C = omega_E * (Scalar(2) *
-        cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + phi_E_across_slide_C * omega_E)
+        s.cos_phi_E_minus_phi_B_minus_psi_C_BCG * v_s_E + s.phi_E_across_slide_C * omega_E)
         - omega_B * (Scalar(2) * d.psi_C_BCG.cos * v_s_B + Scalar(2) * v_s_C
-        - phi_B_across_slide_C * omega_B);
+        - s.phi_B_across_slide_C * omega_B);
     const Scalar centripetal_along_slide_G = -omega_B * (Scalar(2) * d.psi_G_BCG.sin * v_s_B
-        - phi_B_along_slide_G * omega_B)
-        - omega_E * (Scalar(2) * sin_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E
-        - phi_E_along_slide_G * omega_E);
+        - s.phi_B_along_slide_G * omega_B)
+        - omega_E * (Scalar(2) * s.sin_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E
+        - s.phi_E_along_slide_G * omega_E);
     const Scalar centripetal_across_slide_G = omega_E * (Scalar(2) *
-        cos_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E + phi_E_across_slide_G * omega_E)
+        s.cos_phi_E_minus_phi_B_minus_psi_G_BCG * v_s_E + s.phi_E_across_slide_G * omega_E)
         - omega_B * (Scalar(2) * d.psi_G_BCG.cos * v_s_B + Scalar(2) * v_s_G
-        - phi_B_across_slide_G * omega_B);
-    const Scalar t09 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;
-    const Scalar t10 = cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;
-    const Scalar t11 = sin_phi_E_minus_phi_B_minus_psi_G_BCG
-        - cos_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
+        - s.phi_B_across_slide_G * omega_B);
     const Scalar t12 = a_x_B - a_x_E, t13 = a_y_B - a_y_E;
-    S_d(0, 0) = -q.s_C * s_B_per_across_slide_C;  S_d(0, 1) = -q.s_G * s_B_per_across_slide_G;
-    S_d(0, 2) = -s_B_per_across_slide_G;
-    S_d(0, 3) = -cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_B_per_across_slide_C - t09;
-    S_d(0, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_B_per_across_slide_G;  S_d(0, 5) = t09;
-    S_d(0, 6) = s_B_per_across_slide_C;  S_d(0, 7) = s_B_per_across_slide_G;
-    S_d(1, 0) = -d.h_C_CD - q.s_C * s_C_per_across_slide_C;
-    S_d(1, 1) = -q.s_G * s_C_per_across_slide_G;  S_d(1, 2) = -s_C_per_across_slide_G;
-    S_d(1, 3) = sin_phi_E_minus_phi_B_minus_psi_C_BCG
-        - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_C_per_across_slide_C - t10;
-    S_d(1, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_C_per_across_slide_G;  S_d(1, 5) = t10;
-    S_d(1, 6) = s_C_per_across_slide_C;  S_d(1, 7) = s_C_per_across_slide_G;
-    S_d(2, 0) = -q.s_C * s_G_per_across_slide_C;  S_d(2, 1) = t01 - q.s_G * s_G_per_across_slide_G;
-    S_d(2, 2) = -s_G_per_across_slide_G;
-    S_d(2, 3) = t11 - cos_phi_E_minus_phi_B_minus_psi_C_BCG * s_G_per_across_slide_C;
-    S_d(2, 4) = cos_phi_E_minus_phi_B_minus_psi_G_BCG
-        + sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_G_per_across_slide_G;
-    S_d(2, 5) = -t11;  S_d(2, 6) = s_G_per_across_slide_C;  S_d(2, 7) = s_G_per_across_slide_G;
-    S_d(3, 0) = -q.s_C * s_E_per_across_slide_C;  S_d(3, 1) = -q.s_G * s_E_per_across_slide_G;
-    S_d(3, 2) = -s_E_per_across_slide_G;  S_d(3, 3) = -t05 - t06;
-    S_d(3, 4) = sin_phi_E_minus_phi_B_minus_psi_G_BCG * s_E_per_across_slide_G;  S_d(3, 5) = t06;
-    S_d(3, 6) = s_E_per_across_slide_C;  S_d(3, 7) = s_E_per_across_slide_G;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = -s_B_per_x_B;  S_u(0, 4) = -s_B_per_y_B;  S_u(0, 5) = s_B_per_phi_E;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = -s_C_per_x_B;  S_u(1, 4) = -s_C_per_y_B;  S_u(1, 5) = s_C_per_phi_E;
-    S_u(2, 0) = s_G_per_x_B;  S_u(2, 1) = s_G_per_y_B;  S_u(2, 2) = s_G_per_phi_B;
-    S_u(2, 3) = -s_G_per_x_B;  S_u(2, 4) = -s_G_per_y_B;  S_u(2, 5) = s_G_per_phi_E;
-    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
-    S_u(3, 3) = -s_E_per_x_B;  S_u(3, 4) = -s_E_per_y_B;  S_u(3, 5) = s_E_per_phi_E;
     q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_G;  q_rate(3) = v_s_E;
-    q_second_rate(0) = s_B_per_x_B * t12 + s_B_per_y_B * t13 + s_B_per_phi_B * alpha_B
-        + s_B_per_phi_E * alpha_E + s_B_per_across_slide_C * centripetal_across_slide_C
-        + s_B_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(1) = s_C_per_x_B * t12 + s_C_per_y_B * t13 + s_C_per_phi_B * alpha_B
-        + s_C_per_phi_E * alpha_E + s_C_per_across_slide_C * centripetal_across_slide_C
-        + s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
-    q_second_rate(2) = s_G_per_x_B * t12 + s_G_per_y_B * t13 + s_G_per_phi_B * alpha_B
-        + s_G_per_phi_E * alpha_E + s_G_per_across_slide_C * centripetal_across_slide_C
-        + s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
-    q_second_rate(3) = s_E_per_x_B * t12 + s_E_per_y_B * t13 + s_E_per_phi_B * alpha_B
-        + s_E_per_phi_E * alpha_E + s_E_per_across_slide_C * centripetal_across_slide_C
-        + s_E_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(0) = s.s_B_per_x_B * t12 + s.s_B_per_y_B * t13 + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_phi_E * alpha_E + s.s_B_per_across_slide_C * centripetal_across_slide_C
+        + s.s_B_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(1) = s.s_C_per_x_B * t12 + s.s_C_per_y_B * t13 + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_phi_E * alpha_E + s.s_C_per_across_slide_C * centripetal_across_slide_C
+        + s.s_C_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_C;
+    q_second_rate(2) = s.s_G_per_x_B * t12 + s.s_G_per_y_B * t13 + s.s_G_per_phi_B * alpha_B
+        + s.s_G_per_phi_E * alpha_E + s.s_G_per_across_slide_C * centripetal_across_slide_C
+        + s.s_G_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_G;
+    q_second_rate(3) = s.s_E_per_x_B * t12 + s.s_E_per_y_B * t13 + s.s_E_per_phi_B * alpha_B
+        + s.s_E_per_phi_E * alpha_E + s.s_E_per_across_slide_C * centripetal_across_slide_C
+        + s.s_E_per_across_slide_G * centripetal_across_slide_G;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -28,18 +28,11 @@ namespace assur::tetrad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: the group is no structure.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     38, 32, 0
 ///   jacobian:                     16, 8, 0
 ///   dimension_jacobian:           32, 16, 0
 ///   input_jacobian:               38, 26, 0
-///   velocity_rhs:                 46, 36, 0
-///   acceleration_rhs:             86, 58, 0
-///   jerk_rhs:                     142, 88, 0
 ///   curvature_rhs:                127, 79, 0
 ///   link_poses:                   22, 18, 0
 ///   pose_jacobians:               22, 14, 0
@@ -60,7 +53,7 @@ struct Model23 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 1;
   static constexpr int closure_link_count = 2;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -270,155 +263,6 @@ struct Model23 {
     F_u(2, 3) = -Scalar(1);  F_u(2, 5) = slide_E_y + EF_y;
     F_u(3, 1) = Scalar(1);  F_u(3, 2) = slide_B_x + BG_x + slide_G_x + GF_x;
     F_u(3, 4) = -Scalar(1);  F_u(3, 5) = -slide_E_x - EF_x;
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_E = u_rate(3);
-    const Scalar v_y_E = u_rate(4), omega_E = u_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin);
-    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        + EF_y;
-    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t03 = v_x_B - v_x_E, t04 = v_y_B - v_y_E;
-    rhs(0) = (slide_B_y + slide_C_y - slide_D_y) * omega_B - (slide_E_y + ED_y) * omega_E - t03;
-    rhs(1) = (slide_E_x + ED_x) * omega_E - (slide_B_x + slide_C_x - slide_D_x) * omega_B - t04;
-    rhs(2) = (slide_B_y + BG_y + slide_G_y + GF_y) * omega_B - t03 - (slide_E_y + EF_y) * omega_E;
-    rhs(3) = (slide_E_x + EF_x) * omega_E - t04 - (slide_B_x + BG_x + slide_G_x + GF_x) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_G = q_rate(2), v_s_E = q_rate(3);
-    const Scalar v_s_D = q_rate(4), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_E = u_second_rate(3);
-    const Scalar a_y_E = u_second_rate(4), omega_E = u_rate(5), alpha_E = u_second_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin);
-    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        + EF_y;
-    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t03 = slide_B_x + slide_C_x - slide_D_x, t04 = u.phi_B.sin * v_s_B;
-    const Scalar t05 = slide_B_y + slide_C_y - slide_D_y, t06 = slide_E_x + ED_x;
-    const Scalar t07 = u.phi_E.sin * v_s_E, t08 = slide_E_y + ED_y, t09 = a_x_B - a_x_E;
-    const Scalar t10 = u.phi_B.cos * v_s_B, t11 = u.phi_E.cos * v_s_E, t12 = a_y_B - a_y_E;
-    const Scalar t13 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t14 = slide_B_y + BG_y + slide_G_y + GF_y, t15 = slide_E_x + EF_x;
-    const Scalar t16 = slide_E_y + EF_y;
-    rhs(0) = omega_B * (t03 * omega_B + Scalar(2) * t04 + Scalar(2) * sin_CD * v_s_C
-        - Scalar(2) * sin_slide_D * v_s_D) + t05 * alpha_B - omega_E * (t06 * omega_E
-        + Scalar(2) * t07) - t08 * alpha_E - t09;
-    rhs(1) = omega_B * (t05 * omega_B + Scalar(2) * cos_slide_D * v_s_D - Scalar(2) * t10
-        - Scalar(2) * cos_CD * v_s_C) + t06 * alpha_E - t03 * alpha_B - omega_E * (t08 * omega_E
-        - Scalar(2) * t11) - t12;
-    rhs(2) = omega_B * (Scalar(2) * t04 + t13 * omega_B + Scalar(2) * sin_GF * v_s_G)
-        + t14 * alpha_B - t09 - omega_E * (Scalar(2) * t07 + t15 * omega_E) - t16 * alpha_E;
-    rhs(3) = omega_E * (Scalar(2) * t11 - t16 * omega_E) + t15 * alpha_E - t12
-        - omega_B * (Scalar(2) * t10 + Scalar(2) * cos_GF * v_s_G - t14 * omega_B) - t13 * alpha_B;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_G = q_rate(2), a_s_G = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), v_s_D = q_rate(4);
-    const Scalar a_s_D = q_second_rate(4), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
-    const Scalar j_x_E = u_third_rate(3), j_y_E = u_third_rate(4), omega_E = u_rate(5);
-    const Scalar alpha_E = u_second_rate(5), jerk_E = u_third_rate(5);
-    const Scalar cos_CD = d.psi_C_BCG.cos * u.phi_B.cos - d.psi_C_BCG.sin * u.phi_B.sin;
-    const Scalar sin_CD = d.psi_C_BCG.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BCG.sin;
-    const Scalar cos_GF = u.phi_B.cos * d.psi_G_BCG.cos - u.phi_B.sin * d.psi_G_BCG.sin;
-    const Scalar sin_GF = u.phi_B.sin * d.psi_G_BCG.cos + u.phi_B.cos * d.psi_G_BCG.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CD, slide_C_y = q.s_C * sin_CD;
-    const Scalar slide_E_x = q.s_E * u.phi_E.cos, slide_E_y = q.s_E * u.phi_E.sin;
-    const Scalar EF_x = d.h_E_EDF * u.phi_E.sin;
-    const Scalar ED_x = EF_x - d.h_D_EDF * (u.phi_E.sin * d.psi_D_EDF.cos
-        + u.phi_E.cos * d.psi_D_EDF.sin);
-    const Scalar EF_y = -d.h_E_EDF * u.phi_E.cos;
-    const Scalar ED_y = d.h_D_EDF * (u.phi_E.cos * d.psi_D_EDF.cos - u.phi_E.sin * d.psi_D_EDF.sin)
-        + EF_y;
-    const Scalar t01 = u.phi_B.cos * d.psi_D_CD.cos - u.phi_B.sin * d.psi_D_CD.sin;
-    const Scalar t02 = u.phi_B.sin * d.psi_D_CD.cos + u.phi_B.cos * d.psi_D_CD.sin;
-    const Scalar cos_slide_D = d.psi_C_BCG.cos * t01 - d.psi_C_BCG.sin * t02;
-    const Scalar sin_slide_D = d.psi_C_BCG.cos * t02 + d.psi_C_BCG.sin * t01;
-    const Scalar slide_D_x = q.s_D * cos_slide_D, slide_D_y = q.s_D * sin_slide_D;
-    const Scalar BG_x = -d.h_G_BCG * sin_GF, BG_y = d.h_G_BCG * cos_GF, slide_G_x = q.s_G * cos_GF;
-    const Scalar slide_G_y = q.s_G * sin_GF, GF_x = d.h_G_GF * sin_GF, GF_y = -d.h_G_GF * cos_GF;
-    const Scalar t03 = slide_E_y + ED_y, t04 = u.phi_E.cos * v_s_E, t05 = slide_E_x + ED_x;
-    const Scalar t06 = u.phi_E.sin * a_s_E, t07 = slide_B_y + slide_C_y - slide_D_y;
-    const Scalar t08 = u.phi_E.sin * v_s_E, t09 = alpha_E * t08;
-    const Scalar t10 = slide_B_x + slide_C_x - slide_D_x, t11 = u.phi_B.sin * a_s_B;
-    const Scalar t12 = u.phi_B.cos * v_s_B, t13 = cos_slide_D * v_s_D - t12 - cos_CD * v_s_C;
-    const Scalar t14 = u.phi_B.sin * v_s_B, t15 = sin_slide_D * v_s_D - t14 - sin_CD * v_s_C;
-    const Scalar t16 = j_x_B - j_x_E, t17 = u.phi_E.cos * a_s_E, t18 = t04 * alpha_E;
-    const Scalar t19 = u.phi_B.cos * a_s_B, t20 = j_y_B - j_y_E, t21 = slide_E_y + EF_y;
-    const Scalar t22 = slide_E_x + EF_x, t23 = slide_B_y + BG_y + slide_G_y + GF_y;
-    const Scalar t24 = t14 + sin_GF * v_s_G, t25 = slide_B_x + BG_x + slide_G_x + GF_x;
-    const Scalar t26 = t12 + cos_GF * v_s_G;
-    rhs(0) = omega_E * (omega_E * (t03 * omega_E - Scalar(3) * t04) - Scalar(3) * t05 * alpha_E
-        - Scalar(3) * t06) + t07 * jerk_B + omega_B * (Scalar(3) * t10 * alpha_B + Scalar(3) * t11
-        + Scalar(3) * sin_CD * a_s_C - Scalar(3) * sin_slide_D * a_s_D - omega_B * (t07 * omega_B
-        + Scalar(3) * t13)) - t03 * jerk_E - Scalar(3) * t09 - Scalar(3) * alpha_B * t15 - t16;
-    rhs(1) = t05 * jerk_E + Scalar(3) * t18 + Scalar(3) * alpha_B * t13
-        + omega_B * (Scalar(3) * t07 * alpha_B + Scalar(3) * cos_slide_D * a_s_D
-        + omega_B * (t10 * omega_B - Scalar(3) * t15) - Scalar(3) * t19
-        - Scalar(3) * cos_CD * a_s_C) - omega_E * (omega_E * (t05 * omega_E + Scalar(3) * t08)
-        + Scalar(3) * t03 * alpha_E - Scalar(3) * t17) - t10 * jerk_B - t20;
-    rhs(2) = t23 * jerk_B + Scalar(3) * alpha_B * t24 + omega_B * (Scalar(3) * t11
-        + Scalar(3) * t25 * alpha_B + Scalar(3) * sin_GF * a_s_G - omega_B * (t23 * omega_B
-        - Scalar(3) * t26)) - omega_E * (Scalar(3) * t06 + omega_E * (Scalar(3) * t04
-        - t21 * omega_E) + Scalar(3) * t22 * alpha_E) - t21 * jerk_E - Scalar(3) * t09 - t16;
-    rhs(3) = omega_E * (Scalar(3) * t17 - omega_E * (Scalar(3) * t08 + t22 * omega_E)
-        - Scalar(3) * t21 * alpha_E) + t22 * jerk_E + Scalar(3) * t18 - t25 * jerk_B
-        - Scalar(3) * alpha_B * t26 - omega_B * (Scalar(3) * t19 + Scalar(3) * cos_GF * a_s_G
-        - Scalar(3) * t23 * alpha_B - omega_B * (Scalar(3) * t24 + t25 * omega_B)) - t20;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

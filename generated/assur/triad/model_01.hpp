@@ -28,18 +28,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: link CEG does not close exactly one loop.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     12, 16, 0
 ///   jacobian:                     12, 2, 0
 ///   dimension_jacobian:           0, 0, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 4, 0
-///   acceleration_rhs:             26, 16, 0
-///   jerk_rhs:                     56, 26, 0
 ///   curvature_rhs:                56, 22, 0
 ///   link_poses:                   2, 2, 0
 ///   pose_jacobians:               2, 0, 0
@@ -48,9 +41,8 @@ namespace assur::triad {
 ///   pose_curvatures:              10, 2, 0
 ///   degeneracies:                 22, 16, 0
 ///   inverse_jacobian:             70, 19, 1
-///   sensitivities:                95, 36, 1
-///   velocity:                     54, 25, 1
 ///   motion:                       88, 49, 1
+///   sensitivities:                95, 36, 1
 ///   sensitivities_and_motion:     167, 92, 1
 ///   position_polynomial:          111, 81, 0
 ///   second_equations:             40, 31, 0
@@ -68,7 +60,7 @@ struct Model01 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -172,6 +164,111 @@ struct Model01 {
       {"RR-RR-RR", { 0, 1, 2, 3, 4, 5 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
+        + q.theta_CEG.sin * q.theta_DE.sin;
+    const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
+        - q.theta_CEG.cos * q.theta_DE.sin;
+    const Scalar cos_BC_minus_DE = q.theta_DE.cos * q.theta_BC.cos
+        + q.theta_DE.sin * q.theta_BC.sin;
+    const Scalar sin_BC_minus_DE = q.theta_DE.cos * q.theta_BC.sin
+        - q.theta_DE.sin * q.theta_BC.cos;
+    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
+        + q.theta_CEG.sin * q.theta_FG.sin;
+    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
+        - q.theta_CEG.cos * q.theta_FG.sin;
+    const Scalar cos_BC_minus_FG = q.theta_BC.cos * q.theta_FG.cos
+        + q.theta_BC.sin * q.theta_FG.sin;
+    const Scalar sin_BC_minus_FG = q.theta_BC.sin * q.theta_FG.cos
+        - q.theta_BC.cos * q.theta_FG.sin;
+    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
+    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE, BC_across_DE = -d.BC * sin_BC_minus_DE;
+    const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG, BC_across_FG = -d.BC * sin_BC_minus_FG;
+    const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
+    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02;
+    const Scalar CEG_per_along_DE = -BC_across_FG * inverse_determinant;
+    const Scalar BC_per_along_DE = CEG_across_FG * inverse_determinant;
+    const Scalar FG_per_along_DE = -inverse_FG * (CEG_along_FG * CEG_per_along_DE
+        + BC_along_FG * BC_per_along_DE);
+    const Scalar DE_per_along_DE = -inverse_DE * (CEG_per_along_DE * CEG_along_DE
+        + BC_per_along_DE * BC_along_DE);
+    const Scalar CEG_per_along_FG = BC_across_DE * inverse_determinant;
+    const Scalar BC_per_along_FG = -CEG_across_DE * inverse_determinant;
+    const Scalar FG_per_along_FG = -inverse_FG * (CEG_along_FG * CEG_per_along_FG
+        + BC_along_FG * BC_per_along_FG);
+    const Scalar DE_per_along_FG = -inverse_DE * (CEG_along_DE * CEG_per_along_FG
+        + BC_along_DE * BC_per_along_FG);
+    const Scalar CEG_per_x_D = -CEG_per_along_DE * q.theta_DE.cos;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar BC_per_x_D = -BC_per_along_DE * q.theta_DE.cos;
+    const Scalar BC_per_x_F = -BC_per_along_FG * q.theta_FG.cos;
+    const Scalar BC_per_x_B = -BC_per_x_D - BC_per_x_F;
+    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
+    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
+    const Scalar DE_per_x_B = -DE_per_x_D - DE_per_x_F;
+    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_along_DE * q.theta_DE.sin;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar BC_per_y_D = -BC_per_along_DE * q.theta_DE.sin;
+    const Scalar BC_per_y_F = -BC_per_along_FG * q.theta_FG.sin;
+    const Scalar BC_per_y_B = -BC_per_y_D - BC_per_y_F;
+    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
+    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
+    const Scalar DE_per_y_B = -DE_per_y_D - DE_per_y_F;
+    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = CEG_per_along_DE * cos_CEG_minus_DE;
+      S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+      S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
+      S_d(0, 3) = CEG_per_along_DE * cos_BC_minus_DE + CEG_per_along_FG * cos_BC_minus_FG;
+      S_d(0, 4) = -CEG_per_along_DE;  S_d(0, 5) = -CEG_per_along_FG;
+      S_d(1, 0) = BC_per_along_DE * cos_CEG_minus_DE;
+      S_d(1, 1) = BC_per_along_FG * cos_CEG_minus_FG;
+      S_d(1, 2) = -BC_per_along_FG * sin_CEG_minus_FG;
+      S_d(1, 3) = BC_per_along_DE * cos_BC_minus_DE + BC_per_along_FG * cos_BC_minus_FG;
+      S_d(1, 4) = -BC_per_along_DE;  S_d(1, 5) = -BC_per_along_FG;
+      S_d(2, 0) = DE_per_along_DE * cos_CEG_minus_DE + inverse_DE * sin_CEG_minus_DE;
+      S_d(2, 1) = DE_per_along_FG * cos_CEG_minus_FG;
+      S_d(2, 2) = -DE_per_along_FG * sin_CEG_minus_FG;
+      S_d(2, 3) = DE_per_along_DE * cos_BC_minus_DE + inverse_DE * sin_BC_minus_DE
+          + DE_per_along_FG * cos_BC_minus_FG;
+      S_d(2, 4) = -DE_per_along_DE;  S_d(2, 5) = -DE_per_along_FG;
+      S_d(3, 0) = FG_per_along_DE * cos_CEG_minus_DE;
+      S_d(3, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
+      S_d(3, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+      S_d(3, 3) = FG_per_along_DE * cos_BC_minus_DE + FG_per_along_FG * cos_BC_minus_FG
+          + inverse_FG * sin_BC_minus_FG;
+      S_d(3, 4) = -FG_per_along_DE;  S_d(3, 5) = -FG_per_along_FG;
+      S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_x_D;
+      S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;  S_u(0, 5) = CEG_per_y_F;
+      S_u(1, 0) = BC_per_x_B;  S_u(1, 1) = BC_per_y_B;  S_u(1, 2) = BC_per_x_D;
+      S_u(1, 3) = BC_per_y_D;  S_u(1, 4) = BC_per_x_F;  S_u(1, 5) = BC_per_y_F;
+      S_u(2, 0) = DE_per_x_B;  S_u(2, 1) = DE_per_y_B;  S_u(2, 2) = DE_per_x_D;
+      S_u(2, 3) = DE_per_y_D;  S_u(2, 4) = DE_per_x_F;  S_u(2, 5) = DE_per_y_F;
+      S_u(3, 0) = FG_per_x_B;  S_u(3, 1) = FG_per_y_B;  S_u(3, 2) = FG_per_x_D;
+      S_u(3, 3) = FG_per_y_D;  S_u(3, 4) = FG_per_x_F;  S_u(3, 5) = FG_per_y_F;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -226,73 +323,6 @@ struct Model01 {
     F_u(1, 1) = -Scalar(1);  F_u(1, 3) = Scalar(1);
     F_u(2, 0) = -Scalar(1);  F_u(2, 4) = Scalar(1);
     F_u(3, 1) = -Scalar(1);  F_u(3, 5) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
-    rhs(0) = v_x_B - v_x_D;  rhs(1) = v_y_B - v_y_D;  rhs(2) = v_x_B - v_x_F;
-    rhs(3) = v_y_B - v_y_F;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0), omega_BC = q_rate(1), omega_DE = q_rate(2);
-    const Scalar omega_FG = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2), a_y_D = u_second_rate(3), a_x_F = u_second_rate(4);
-    const Scalar a_y_F = u_second_rate(5);
-    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = omega_CEG * omega_CEG, t02 = omega_DE * omega_DE, t03 = omega_BC * omega_BC;
-    const Scalar t04 = a_x_B - BC_x * t03, t05 = a_y_B - BC_y * t03, t06 = omega_FG * omega_FG;
-    rhs(0) = DE_x * t02 + t04 - a_x_D - CE_x * t01;  rhs(1) = DE_y * t02 + t05 - a_y_D - CE_y * t01;
-    rhs(2) = FG_x * t06 + t04 - a_x_F - CG_x * t01;  rhs(3) = FG_y * t06 + t05 - a_y_F - CG_y * t01;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), omega_BC = q_rate(1);
-    const Scalar alpha_BC = q_second_rate(1), omega_DE = q_rate(2), alpha_DE = q_second_rate(2);
-    const Scalar omega_FG = q_rate(3), alpha_FG = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), j_x_D = u_third_rate(2), j_y_D = u_third_rate(3);
-    const Scalar j_x_F = u_third_rate(4), j_y_F = u_third_rate(5);
-    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = d.BC * q.theta_BC.cos, BC_y = d.BC * q.theta_BC.sin;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = omega_CEG * omega_CEG, t02 = omega_DE * omega_DE, t03 = omega_BC * omega_BC;
-    const Scalar t04 = j_x_B - omega_BC * (Scalar(3) * BC_x * alpha_BC - BC_y * t03);
-    const Scalar t05 = j_y_B - omega_BC * (Scalar(3) * BC_y * alpha_BC + BC_x * t03);
-    const Scalar t06 = omega_FG * omega_FG;
-    rhs(0) = omega_DE * (Scalar(3) * DE_x * alpha_DE - DE_y * t02) + t04 - j_x_D
-        - omega_CEG * (Scalar(3) * CE_x * alpha_CEG - CE_y * t01);
-    rhs(1) = omega_DE * (Scalar(3) * DE_y * alpha_DE + DE_x * t02) + t05 - j_y_D
-        - omega_CEG * (Scalar(3) * CE_y * alpha_CEG + CE_x * t01);
-    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t06) + t04 - j_x_F
-        - omega_CEG * (Scalar(3) * CG_x * alpha_CEG - CG_y * t01);
-    rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t06) + t05 - j_y_F
-        - omega_CEG * (Scalar(3) * CG_y * alpha_CEG + CG_x * t01);
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -507,152 +537,6 @@ struct Model01 {
     J_inverse(3, 3) = inverse_FG * q.theta_FG.cos + FG_per_along_FG * q.theta_FG.sin;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
-        + q.theta_CEG.sin * q.theta_DE.sin;
-    const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
-        - q.theta_CEG.cos * q.theta_DE.sin;
-    const Scalar cos_BC_minus_DE = q.theta_DE.cos * q.theta_BC.cos
-        + q.theta_DE.sin * q.theta_BC.sin;
-    const Scalar sin_BC_minus_DE = q.theta_DE.cos * q.theta_BC.sin
-        - q.theta_DE.sin * q.theta_BC.cos;
-    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
-        + q.theta_CEG.sin * q.theta_FG.sin;
-    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
-        - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar cos_BC_minus_FG = q.theta_BC.cos * q.theta_FG.cos
-        + q.theta_BC.sin * q.theta_FG.sin;
-    const Scalar sin_BC_minus_FG = q.theta_BC.sin * q.theta_FG.cos
-        - q.theta_BC.cos * q.theta_FG.sin;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
-    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE, BC_across_DE = -d.BC * sin_BC_minus_DE;
-    const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG, BC_across_FG = -d.BC * sin_BC_minus_FG;
-    const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
-    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
-    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02;
-    const Scalar CEG_per_along_DE = -BC_across_FG * inverse_determinant;
-    const Scalar BC_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = -inverse_FG * (CEG_along_FG * CEG_per_along_DE
-        + BC_along_FG * BC_per_along_DE);
-    const Scalar DE_per_along_DE = -inverse_DE * (CEG_per_along_DE * CEG_along_DE
-        + BC_per_along_DE * BC_along_DE);
-    const Scalar CEG_per_along_FG = BC_across_DE * inverse_determinant;
-    const Scalar BC_per_along_FG = -CEG_across_DE * inverse_determinant;
-    const Scalar FG_per_along_FG = -inverse_FG * (CEG_along_FG * CEG_per_along_FG
-        + BC_along_FG * BC_per_along_FG);
-    const Scalar DE_per_along_FG = -inverse_DE * (CEG_along_DE * CEG_per_along_FG
-        + BC_along_DE * BC_per_along_FG);
-    const Scalar CEG_per_x_D = -CEG_per_along_DE * q.theta_DE.cos;
-    const Scalar BC_per_x_D = -BC_per_along_DE * q.theta_DE.cos;
-    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
-    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
-    const Scalar CEG_per_y_D = -CEG_per_along_DE * q.theta_DE.sin;
-    const Scalar BC_per_y_D = -BC_per_along_DE * q.theta_DE.sin;
-    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
-    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
-    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
-    const Scalar BC_per_x_F = -BC_per_along_FG * q.theta_FG.cos;
-    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
-    const Scalar BC_per_y_F = -BC_per_along_FG * q.theta_FG.sin;
-    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    S_d(0, 0) = CEG_per_along_DE * cos_CEG_minus_DE;
-    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
-    S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
-    S_d(0, 3) = CEG_per_along_DE * cos_BC_minus_DE + CEG_per_along_FG * cos_BC_minus_FG;
-    S_d(0, 4) = -CEG_per_along_DE;  S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = BC_per_along_DE * cos_CEG_minus_DE;  S_d(1, 1) = BC_per_along_FG * cos_CEG_minus_FG;
-    S_d(1, 2) = -BC_per_along_FG * sin_CEG_minus_FG;
-    S_d(1, 3) = BC_per_along_DE * cos_BC_minus_DE + BC_per_along_FG * cos_BC_minus_FG;
-    S_d(1, 4) = -BC_per_along_DE;  S_d(1, 5) = -BC_per_along_FG;
-    S_d(2, 0) = DE_per_along_DE * cos_CEG_minus_DE + inverse_DE * sin_CEG_minus_DE;
-    S_d(2, 1) = DE_per_along_FG * cos_CEG_minus_FG;
-    S_d(2, 2) = -DE_per_along_FG * sin_CEG_minus_FG;
-    S_d(2, 3) = DE_per_along_DE * cos_BC_minus_DE + inverse_DE * sin_BC_minus_DE
-        + DE_per_along_FG * cos_BC_minus_FG;
-    S_d(2, 4) = -DE_per_along_DE;  S_d(2, 5) = -DE_per_along_FG;
-    S_d(3, 0) = FG_per_along_DE * cos_CEG_minus_DE;
-    S_d(3, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
-    S_d(3, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
-    S_d(3, 3) = FG_per_along_DE * cos_BC_minus_DE + FG_per_along_FG * cos_BC_minus_FG
-        + inverse_FG * sin_BC_minus_FG;
-    S_d(3, 4) = -FG_per_along_DE;  S_d(3, 5) = -FG_per_along_FG;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
-    S_u(0, 2) = CEG_per_x_D;  S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;
-    S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = -BC_per_x_D - BC_per_x_F;  S_u(1, 1) = -BC_per_y_D - BC_per_y_F;
-    S_u(1, 2) = BC_per_x_D;  S_u(1, 3) = BC_per_y_D;  S_u(1, 4) = BC_per_x_F;
-    S_u(1, 5) = BC_per_y_F;
-    S_u(2, 0) = -DE_per_x_D - DE_per_x_F;  S_u(2, 1) = -DE_per_y_D - DE_per_y_F;
-    S_u(2, 2) = DE_per_x_D;  S_u(2, 3) = DE_per_y_D;  S_u(2, 4) = DE_per_x_F;
-    S_u(2, 5) = DE_per_y_F;
-    S_u(3, 0) = -FG_per_x_D - FG_per_x_F;  S_u(3, 1) = -FG_per_y_D - FG_per_y_F;
-    S_u(3, 2) = FG_per_x_D;  S_u(3, 3) = FG_per_y_D;  S_u(3, 4) = FG_per_x_F;
-    S_u(3, 5) = FG_per_y_F;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
-    const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
-        + q.theta_CEG.sin * q.theta_DE.sin;
-    const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
-        - q.theta_CEG.cos * q.theta_DE.sin;
-    const Scalar cos_BC_minus_DE = q.theta_DE.cos * q.theta_BC.cos
-        + q.theta_DE.sin * q.theta_BC.sin;
-    const Scalar sin_BC_minus_DE = q.theta_DE.cos * q.theta_BC.sin
-        - q.theta_DE.sin * q.theta_BC.cos;
-    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
-        + q.theta_CEG.sin * q.theta_FG.sin;
-    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
-        - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar cos_BC_minus_FG = q.theta_BC.cos * q.theta_FG.cos
-        + q.theta_BC.sin * q.theta_FG.sin;
-    const Scalar sin_BC_minus_FG = q.theta_BC.sin * q.theta_FG.cos
-        - q.theta_BC.cos * q.theta_FG.sin;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
-    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE, BC_across_DE = -d.BC * sin_BC_minus_DE;
-    const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG, BC_across_FG = -d.BC * sin_BC_minus_FG;
-    const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
-    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
-    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02, t03 = v_x_B - v_x_D;
-    const Scalar t04 = v_y_B - v_y_D;
-    const Scalar velocity_along_DE = q.theta_DE.cos * t03 + q.theta_DE.sin * t04;
-    const Scalar velocity_across_DE = q.theta_DE.cos * t04 - q.theta_DE.sin * t03;
-    const Scalar t05 = v_x_B - v_x_F, t06 = v_y_B - v_y_F;
-    const Scalar velocity_along_FG = q.theta_FG.cos * t05 + q.theta_FG.sin * t06;
-    const Scalar velocity_across_FG = q.theta_FG.cos * t06 - q.theta_FG.sin * t05;
-    const Scalar omega_CEG = inverse_determinant * (BC_across_DE * velocity_along_FG
-        - BC_across_FG * velocity_along_DE);
-    const Scalar omega_BC = -inverse_determinant * (CEG_across_DE * velocity_along_FG
-        - CEG_across_FG * velocity_along_DE);
-    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG + BC_along_FG * omega_BC
-        - velocity_across_FG);
-    const Scalar omega_DE = -inverse_DE * (CEG_along_DE * omega_CEG + BC_along_DE * omega_BC
-        - velocity_across_DE);
-    q_rate(0) = omega_CEG;  q_rate(1) = omega_BC;  q_rate(2) = omega_DE;  q_rate(3) = omega_FG;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -728,140 +612,59 @@ struct Model01 {
     q_second_rate(3) = alpha_FG;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
-  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
     const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3), v_x_F = u_rate(4);
     const Scalar a_x_F = u_second_rate(4), v_y_F = u_rate(5), a_y_F = u_second_rate(5);
-    const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
-        + q.theta_CEG.sin * q.theta_DE.sin;
-    const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
-        - q.theta_CEG.cos * q.theta_DE.sin;
-    const Scalar cos_BC_minus_DE = q.theta_DE.cos * q.theta_BC.cos
-        + q.theta_DE.sin * q.theta_BC.sin;
-    const Scalar sin_BC_minus_DE = q.theta_DE.cos * q.theta_BC.sin
-        - q.theta_DE.sin * q.theta_BC.cos;
-    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
-        + q.theta_CEG.sin * q.theta_FG.sin;
-    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
-        - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar cos_BC_minus_FG = q.theta_BC.cos * q.theta_FG.cos
-        + q.theta_BC.sin * q.theta_FG.sin;
-    const Scalar sin_BC_minus_FG = q.theta_BC.sin * q.theta_FG.cos
-        - q.theta_BC.cos * q.theta_FG.sin;
-    const Scalar CEG_along_DE = -d.CE * cos_CEG_minus_DE, CEG_across_DE = -d.CE * sin_CEG_minus_DE;
-    const Scalar BC_along_DE = -d.BC * cos_BC_minus_DE, BC_across_DE = -d.BC * sin_BC_minus_DE;
-    const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar BC_along_FG = -d.BC * cos_BC_minus_FG, BC_across_FG = -d.BC * sin_BC_minus_FG;
-    const Scalar determinant = CEG_across_DE * BC_across_FG - BC_across_DE * CEG_across_FG;
-    const Scalar t01 = d.DE * d.FG, pivot_product = determinant * t01;
-    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t01, t02 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t02, inverse_DE = d.FG * t02;
-    const Scalar CEG_per_along_DE = -BC_across_FG * inverse_determinant;
-    const Scalar BC_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = -inverse_FG * (CEG_along_FG * CEG_per_along_DE
-        + BC_along_FG * BC_per_along_DE);
-    const Scalar DE_per_along_DE = -inverse_DE * (CEG_per_along_DE * CEG_along_DE
-        + BC_per_along_DE * BC_along_DE);
-    const Scalar CEG_per_along_FG = BC_across_DE * inverse_determinant;
-    const Scalar BC_per_along_FG = -CEG_across_DE * inverse_determinant;
-    const Scalar FG_per_along_FG = -inverse_FG * (CEG_along_FG * CEG_per_along_FG
-        + BC_along_FG * BC_per_along_FG);
-    const Scalar DE_per_along_FG = -inverse_DE * (CEG_along_DE * CEG_per_along_FG
-        + BC_along_DE * BC_per_along_FG);
-    const Scalar CEG_per_x_D = -CEG_per_along_DE * q.theta_DE.cos;
-    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
-    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
-    const Scalar BC_per_x_D = -BC_per_along_DE * q.theta_DE.cos;
-    const Scalar BC_per_x_F = -BC_per_along_FG * q.theta_FG.cos;
-    const Scalar BC_per_x_B = -BC_per_x_D - BC_per_x_F;
-    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
-    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
-    const Scalar DE_per_x_B = -DE_per_x_D - DE_per_x_F;
-    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
-    const Scalar CEG_per_y_D = -CEG_per_along_DE * q.theta_DE.sin;
-    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
-    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
-    const Scalar BC_per_y_D = -BC_per_along_DE * q.theta_DE.sin;
-    const Scalar BC_per_y_F = -BC_per_along_FG * q.theta_FG.sin;
-    const Scalar BC_per_y_B = -BC_per_y_D - BC_per_y_F;
-    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
-    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
-    const Scalar DE_per_y_B = -DE_per_y_D - DE_per_y_F;
-    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
-    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_x_D * v_x_D
-        + CEG_per_y_D * v_y_D + CEG_per_x_F * v_x_F + CEG_per_y_F * v_y_F;
-    const Scalar omega_BC = BC_per_x_B * v_x_B + BC_per_y_B * v_y_B + BC_per_x_D * v_x_D
-        + BC_per_y_D * v_y_D + BC_per_x_F * v_x_F + BC_per_y_F * v_y_F;
-    const Scalar omega_DE = DE_per_x_B * v_x_B + DE_per_y_B * v_y_B + DE_per_x_D * v_x_D
-        + DE_per_y_D * v_y_D + DE_per_x_F * v_x_F + DE_per_y_F * v_y_F;
-    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_x_D * v_x_D
-        + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
+    const Scalar omega_CEG = s.CEG_per_x_B * v_x_B + s.CEG_per_y_B * v_y_B + s.CEG_per_x_D * v_x_D
+        + s.CEG_per_y_D * v_y_D + s.CEG_per_x_F * v_x_F + s.CEG_per_y_F * v_y_F;
+    const Scalar omega_BC = s.BC_per_x_B * v_x_B + s.BC_per_y_B * v_y_B + s.BC_per_x_D * v_x_D
+        + s.BC_per_y_D * v_y_D + s.BC_per_x_F * v_x_F + s.BC_per_y_F * v_y_F;
+    const Scalar omega_DE = s.DE_per_x_B * v_x_B + s.DE_per_y_B * v_y_B + s.DE_per_x_D * v_x_D
+        + s.DE_per_y_D * v_y_D + s.DE_per_x_F * v_x_F + s.DE_per_y_F * v_y_F;
+    const Scalar omega_FG = s.FG_per_x_B * v_x_B + s.FG_per_y_B * v_y_B + s.FG_per_x_D * v_x_D
+        + s.FG_per_y_D * v_y_D + s.FG_per_x_F * v_x_F + s.FG_per_y_F * v_y_F;
     const Scalar t03 = omega_CEG * omega_CEG, t04 = omega_BC * omega_BC;
-    const Scalar centripetal_along_DE = d.DE * omega_DE * omega_DE + CEG_along_DE * t03
-        + BC_along_DE * t04;
-    const Scalar centripetal_across_DE = CEG_across_DE * t03 + BC_across_DE * t04;
-    const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG + CEG_along_FG * t03
-        + BC_along_FG * t04;
-    const Scalar centripetal_across_FG = CEG_across_FG * t03 + BC_across_FG * t04;
-    S_d(0, 0) = CEG_per_along_DE * cos_CEG_minus_DE;
-    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
-    S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
-    S_d(0, 3) = CEG_per_along_DE * cos_BC_minus_DE + CEG_per_along_FG * cos_BC_minus_FG;
-    S_d(0, 4) = -CEG_per_along_DE;  S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = BC_per_along_DE * cos_CEG_minus_DE;  S_d(1, 1) = BC_per_along_FG * cos_CEG_minus_FG;
-    S_d(1, 2) = -BC_per_along_FG * sin_CEG_minus_FG;
-    S_d(1, 3) = BC_per_along_DE * cos_BC_minus_DE + BC_per_along_FG * cos_BC_minus_FG;
-    S_d(1, 4) = -BC_per_along_DE;  S_d(1, 5) = -BC_per_along_FG;
-    S_d(2, 0) = DE_per_along_DE * cos_CEG_minus_DE + inverse_DE * sin_CEG_minus_DE;
-    S_d(2, 1) = DE_per_along_FG * cos_CEG_minus_FG;
-    S_d(2, 2) = -DE_per_along_FG * sin_CEG_minus_FG;
-    S_d(2, 3) = DE_per_along_DE * cos_BC_minus_DE + inverse_DE * sin_BC_minus_DE
-        + DE_per_along_FG * cos_BC_minus_FG;
-    S_d(2, 4) = -DE_per_along_DE;  S_d(2, 5) = -DE_per_along_FG;
-    S_d(3, 0) = FG_per_along_DE * cos_CEG_minus_DE;
-    S_d(3, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
-    S_d(3, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
-    S_d(3, 3) = FG_per_along_DE * cos_BC_minus_DE + FG_per_along_FG * cos_BC_minus_FG
-        + inverse_FG * sin_BC_minus_FG;
-    S_d(3, 4) = -FG_per_along_DE;  S_d(3, 5) = -FG_per_along_FG;
-    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_x_D;
-    S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;  S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = BC_per_x_B;  S_u(1, 1) = BC_per_y_B;  S_u(1, 2) = BC_per_x_D;
-    S_u(1, 3) = BC_per_y_D;  S_u(1, 4) = BC_per_x_F;  S_u(1, 5) = BC_per_y_F;
-    S_u(2, 0) = DE_per_x_B;  S_u(2, 1) = DE_per_y_B;  S_u(2, 2) = DE_per_x_D;
-    S_u(2, 3) = DE_per_y_D;  S_u(2, 4) = DE_per_x_F;  S_u(2, 5) = DE_per_y_F;
-    S_u(3, 0) = FG_per_x_B;  S_u(3, 1) = FG_per_y_B;  S_u(3, 2) = FG_per_x_D;
-    S_u(3, 3) = FG_per_y_D;  S_u(3, 4) = FG_per_x_F;  S_u(3, 5) = FG_per_y_F;
+    const Scalar centripetal_along_DE = d.DE * omega_DE * omega_DE + s.CEG_along_DE * t03
+        + s.BC_along_DE * t04;
+    const Scalar centripetal_across_DE = s.CEG_across_DE * t03 + s.BC_across_DE * t04;
+    const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG + s.CEG_along_FG * t03
+        + s.BC_along_FG * t04;
+    const Scalar centripetal_across_FG = s.CEG_across_FG * t03 + s.BC_across_FG * t04;
     q_rate(0) = omega_CEG;  q_rate(1) = omega_BC;  q_rate(2) = omega_DE;  q_rate(3) = omega_FG;
-    q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_x_D * a_x_D
-        + CEG_per_y_D * a_y_D + CEG_per_x_F * a_x_F + CEG_per_y_F * a_y_F
-        + CEG_per_along_DE * centripetal_along_DE + CEG_per_along_FG * centripetal_along_FG;
-    q_second_rate(1) = BC_per_x_B * a_x_B + BC_per_y_B * a_y_B + BC_per_x_D * a_x_D
-        + BC_per_y_D * a_y_D + BC_per_x_F * a_x_F + BC_per_y_F * a_y_F
-        + BC_per_along_DE * centripetal_along_DE + BC_per_along_FG * centripetal_along_FG;
-    q_second_rate(2) = DE_per_x_B * a_x_B + DE_per_y_B * a_y_B + DE_per_x_D * a_x_D
-        + DE_per_y_D * a_y_D + DE_per_x_F * a_x_F + DE_per_y_F * a_y_F
-        + inverse_DE * centripetal_across_DE + DE_per_along_DE * centripetal_along_DE
-        + DE_per_along_FG * centripetal_along_FG;
-    q_second_rate(3) = FG_per_x_B * a_x_B + FG_per_y_B * a_y_B + FG_per_x_D * a_x_D
-        + FG_per_y_D * a_y_D + FG_per_x_F * a_x_F + FG_per_y_F * a_y_F
-        + inverse_FG * centripetal_across_FG + FG_per_along_DE * centripetal_along_DE
-        + FG_per_along_FG * centripetal_along_FG;
+    q_second_rate(0) = s.CEG_per_x_B * a_x_B + s.CEG_per_y_B * a_y_B + s.CEG_per_x_D * a_x_D
+        + s.CEG_per_y_D * a_y_D + s.CEG_per_x_F * a_x_F + s.CEG_per_y_F * a_y_F
+        + s.CEG_per_along_DE * centripetal_along_DE + s.CEG_per_along_FG * centripetal_along_FG;
+    q_second_rate(1) = s.BC_per_x_B * a_x_B + s.BC_per_y_B * a_y_B + s.BC_per_x_D * a_x_D
+        + s.BC_per_y_D * a_y_D + s.BC_per_x_F * a_x_F + s.BC_per_y_F * a_y_F
+        + s.BC_per_along_DE * centripetal_along_DE + s.BC_per_along_FG * centripetal_along_FG;
+    q_second_rate(2) = s.DE_per_x_B * a_x_B + s.DE_per_y_B * a_y_B + s.DE_per_x_D * a_x_D
+        + s.DE_per_y_D * a_y_D + s.DE_per_x_F * a_x_F + s.DE_per_y_F * a_y_F
+        + s.inverse_DE * centripetal_across_DE + s.DE_per_along_DE * centripetal_along_DE
+        + s.DE_per_along_FG * centripetal_along_FG;
+    q_second_rate(3) = s.FG_per_x_B * a_x_B + s.FG_per_y_B * a_y_B + s.FG_per_x_D * a_x_D
+        + s.FG_per_y_D * a_y_D + s.FG_per_x_F * a_x_F + s.FG_per_y_F * a_y_F
+        + s.inverse_FG * centripetal_across_FG + s.FG_per_along_DE * centripetal_along_DE
+        + s.FG_per_along_FG * centripetal_along_FG;
   }
 
   /// The final polynomial T in theta_CEG, free of all other unknowns:

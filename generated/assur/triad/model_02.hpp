@@ -28,18 +28,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: link CEG does not close exactly one loop.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     14, 19, 0
 ///   jacobian:                     14, 9, 0
 ///   dimension_jacobian:           0, 0, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 4, 0
-///   acceleration_rhs:             34, 25, 0
-///   jerk_rhs:                     68, 39, 0
 ///   curvature_rhs:                54, 28, 0
 ///   link_poses:                   6, 6, 0
 ///   pose_jacobians:               6, 4, 0
@@ -48,9 +41,8 @@ namespace assur::triad {
 ///   pose_curvatures:              18, 9, 0
 ///   degeneracies:                 16, 19, 0
 ///   inverse_jacobian:             60, 20, 1
-///   sensitivities:                73, 35, 1
-///   velocity:                     44, 26, 1
 ///   motion:                       80, 50, 1
+///   sensitivities:                73, 35, 1
 ///   sensitivities_and_motion:     151, 91, 1
 ///   position_polynomial:          76, 64, 0
 ///   second_equations:             35, 34, 0
@@ -68,7 +60,7 @@ struct Model02 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 6;
   static constexpr std::size_t polynomial_degree = 3;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -175,6 +167,98 @@ struct Model02 {
       {"RR-RR-RP", { 2, 3, 4, 5, 0, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
+        + q.theta_CEG.sin * q.theta_DE.sin;
+    const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
+        - q.theta_CEG.cos * q.theta_DE.sin;
+    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
+        + q.theta_CEG.sin * q.theta_FG.sin;
+    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
+        - q.theta_CEG.cos * q.theta_FG.sin;
+    const Scalar t01 = d.h_C_CEG - d.h_C_BC;
+    const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
+    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
+    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = t01 - d.y_G_CEG;
+    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
+    const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
+    const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
+    const Scalar t04 = d.DE * d.FG, pivot_product = determinant * t04;
+    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_determinant = inverse * t04, t05 = determinant * inverse;
+    const Scalar inverse_FG = d.DE * t05, inverse_DE = d.FG * t05;
+    const Scalar CEG_per_along_DE = inverse_determinant * cos_CEG_minus_FG;
+    const Scalar s_C_per_along_DE = CEG_across_FG * inverse_determinant;
+    const Scalar FG_per_along_DE = -inverse_FG * (sin_CEG_minus_FG * s_C_per_along_DE
+        + CEG_along_FG * CEG_per_along_DE);
+    const Scalar t06 = sin_CEG_minus_DE * s_C_per_along_DE;
+    const Scalar DE_per_along_DE = -inverse_DE * (t06 + CEG_per_along_DE * CEG_along_DE);
+    const Scalar CEG_per_along_FG = -inverse_determinant * cos_CEG_minus_DE;
+    const Scalar s_C_per_along_FG = -CEG_across_DE * inverse_determinant;
+    const Scalar t07 = sin_CEG_minus_FG * s_C_per_along_FG;
+    const Scalar FG_per_along_FG = -inverse_FG * (t07 + CEG_along_FG * CEG_per_along_FG);
+    const Scalar DE_per_along_FG = -inverse_DE * (sin_CEG_minus_DE * s_C_per_along_FG
+        + CEG_along_DE * CEG_per_along_FG);
+    const Scalar CEG_per_x_D = -CEG_per_along_DE * q.theta_DE.cos;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
+    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
+    const Scalar DE_per_x_B = -DE_per_x_D - DE_per_x_F;
+    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_C_per_x_D = -q.theta_DE.cos * s_C_per_along_DE;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_along_DE * q.theta_DE.sin;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
+    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
+    const Scalar DE_per_y_B = -DE_per_y_D - DE_per_y_F;
+    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_C_per_y_D = -q.theta_DE.sin * s_C_per_along_DE;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar t08 = CEG_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t09 = CEG_per_along_DE * sin_CEG_minus_DE + t08;
+    const Scalar t10 = DE_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t11 = inverse_DE * cos_CEG_minus_DE - DE_per_along_DE * sin_CEG_minus_DE - t10;
+    const Scalar t12 = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t13 = FG_per_along_DE * sin_CEG_minus_DE - t12, t14 = t06 + t07;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = t09;  S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;  S_d(0, 2) = -t08;
+      S_d(0, 3) = -t09;  S_d(0, 4) = -CEG_per_along_DE;  S_d(0, 5) = -CEG_per_along_FG;
+      S_d(1, 0) = -t11;  S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;  S_d(1, 2) = -t10;
+      S_d(1, 3) = t11;  S_d(1, 4) = -DE_per_along_DE;  S_d(1, 5) = -DE_per_along_FG;
+      S_d(2, 0) = t13;
+      S_d(2, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
+      S_d(2, 2) = t12;  S_d(2, 3) = -t13;  S_d(2, 4) = -FG_per_along_DE;
+      S_d(2, 5) = -FG_per_along_FG;
+      S_d(3, 0) = t14;  S_d(3, 1) = cos_CEG_minus_FG * s_C_per_along_FG;  S_d(3, 2) = -t07;
+      S_d(3, 3) = -t14;  S_d(3, 4) = -s_C_per_along_DE;  S_d(3, 5) = -s_C_per_along_FG;
+      S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_x_D;
+      S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;  S_u(0, 5) = CEG_per_y_F;
+      S_u(1, 0) = DE_per_x_B;  S_u(1, 1) = DE_per_y_B;  S_u(1, 2) = DE_per_x_D;
+      S_u(1, 3) = DE_per_y_D;  S_u(1, 4) = DE_per_x_F;  S_u(1, 5) = DE_per_y_F;
+      S_u(2, 0) = FG_per_x_B;  S_u(2, 1) = FG_per_y_B;  S_u(2, 2) = FG_per_x_D;
+      S_u(2, 3) = FG_per_y_D;  S_u(2, 4) = FG_per_x_F;  S_u(2, 5) = FG_per_y_F;
+      S_u(3, 0) = s_C_per_x_B;  S_u(3, 1) = s_C_per_y_B;  S_u(3, 2) = s_C_per_x_D;
+      S_u(3, 3) = s_C_per_y_D;  S_u(3, 4) = s_C_per_x_F;  S_u(3, 5) = s_C_per_y_F;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -234,85 +318,6 @@ struct Model02 {
     F_u(1, 1) = -Scalar(1);  F_u(1, 3) = Scalar(1);
     F_u(2, 0) = -Scalar(1);  F_u(2, 4) = Scalar(1);
     F_u(3, 1) = -Scalar(1);  F_u(3, 5) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
-    rhs(0) = v_x_B - v_x_D;  rhs(1) = v_y_B - v_y_D;  rhs(2) = v_x_B - v_x_F;
-    rhs(3) = v_y_B - v_y_F;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0), omega_DE = q_rate(1), omega_FG = q_rate(2);
-    const Scalar v_s_C = q_rate(3), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
-    const Scalar a_x_D = u_second_rate(2), a_y_D = u_second_rate(3), a_x_F = u_second_rate(4);
-    const Scalar a_y_F = u_second_rate(5);
-    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin, CE_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * q.theta_CEG.sin + d.x_G_CEG * q.theta_CEG.cos;
-    const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos;
-    const Scalar t02 = omega_DE * omega_DE, t03 = q.theta_CEG.sin * v_s_C, t04 = BC_x - slide_C_x;
-    const Scalar t05 = q.theta_CEG.cos * v_s_C, t06 = BC_y - slide_C_y, t07 = omega_FG * omega_FG;
-    rhs(0) = a_x_B + DE_x * t02 + omega_CEG * (Scalar(2) * t03 - (CE_x + t04) * omega_CEG) - a_x_D;
-    rhs(1) = a_y_B + DE_y * t02 - a_y_D - omega_CEG * (Scalar(2) * t05 + (CE_y + t06) * omega_CEG);
-    rhs(2) = a_x_B + FG_x * t07 + omega_CEG * (Scalar(2) * t03 - (CG_x + t04) * omega_CEG) - a_x_F;
-    rhs(3) = a_y_B + FG_y * t07 - a_y_F - omega_CEG * (Scalar(2) * t05 + (CG_y + t06) * omega_CEG);
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), omega_DE = q_rate(1);
-    const Scalar alpha_DE = q_second_rate(1), omega_FG = q_rate(2), alpha_FG = q_second_rate(2);
-    const Scalar v_s_C = q_rate(3), a_s_C = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), j_x_D = u_third_rate(2), j_y_D = u_third_rate(3);
-    const Scalar j_x_F = u_third_rate(4), j_y_F = u_third_rate(5);
-    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar CE_x = d.h_C_CEG * q.theta_CEG.sin, CE_y = -d.h_C_CEG * q.theta_CEG.cos;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar CG_x = t01 * q.theta_CEG.sin + d.x_G_CEG * q.theta_CEG.cos;
-    const Scalar CG_y = d.x_G_CEG * q.theta_CEG.sin - t01 * q.theta_CEG.cos;
-    const Scalar t02 = omega_DE * omega_DE, t03 = q.theta_CEG.sin * a_s_C;
-    const Scalar t04 = q.theta_CEG.cos * v_s_C, t05 = BC_y - slide_C_y, t06 = CE_y + t05;
-    const Scalar t07 = BC_x - slide_C_x, t08 = CE_x + t07, t09 = q.theta_CEG.sin * v_s_C;
-    const Scalar t10 = j_x_B + Scalar(3) * alpha_CEG * t09, t11 = q.theta_CEG.cos * a_s_C;
-    const Scalar t12 = j_y_B - Scalar(3) * t04 * alpha_CEG, t13 = omega_FG * omega_FG;
-    const Scalar t14 = CG_y + t05, t15 = CG_x + t07;
-    rhs(0) = omega_DE * (Scalar(3) * DE_x * alpha_DE - DE_y * t02) + omega_CEG * (Scalar(3) * t03
-        + omega_CEG * (Scalar(3) * t04 + t06 * omega_CEG) - Scalar(3) * t08 * alpha_CEG) + t10
-        - j_x_D;
-    rhs(1) = omega_DE * (Scalar(3) * DE_y * alpha_DE + DE_x * t02) + t12 - j_y_D
-        - omega_CEG * (Scalar(3) * t11 + Scalar(3) * t06 * alpha_CEG - omega_CEG * (Scalar(3) * t09
-        - t08 * omega_CEG));
-    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t13) + omega_CEG * (Scalar(3) * t03
-        + omega_CEG * (Scalar(3) * t04 + t14 * omega_CEG) - Scalar(3) * t15 * alpha_CEG) + t10
-        - j_x_F;
-    rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t13) + t12 - j_y_F
-        - omega_CEG * (Scalar(3) * t11 + Scalar(3) * t14 * alpha_CEG - omega_CEG * (Scalar(3) * t09
-        - t15 * omega_CEG));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -541,133 +546,6 @@ struct Model02 {
     J_inverse(3, 3) = q.theta_FG.sin * s_C_per_along_FG;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
-        + q.theta_CEG.sin * q.theta_DE.sin;
-    const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
-        - q.theta_CEG.cos * q.theta_DE.sin;
-    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
-        + q.theta_CEG.sin * q.theta_FG.sin;
-    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
-        - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
-    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
-    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = t01 - d.y_G_CEG;
-    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
-    const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
-    const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
-    const Scalar t04 = d.DE * d.FG, pivot_product = determinant * t04;
-    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t04, t05 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t05, inverse_DE = d.FG * t05;
-    const Scalar CEG_per_along_DE = inverse_determinant * cos_CEG_minus_FG;
-    const Scalar s_C_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = -inverse_FG * (sin_CEG_minus_FG * s_C_per_along_DE
-        + CEG_along_FG * CEG_per_along_DE);
-    const Scalar t06 = sin_CEG_minus_DE * s_C_per_along_DE;
-    const Scalar DE_per_along_DE = -inverse_DE * (t06 + CEG_per_along_DE * CEG_along_DE);
-    const Scalar CEG_per_along_FG = -inverse_determinant * cos_CEG_minus_DE;
-    const Scalar s_C_per_along_FG = -CEG_across_DE * inverse_determinant;
-    const Scalar t07 = sin_CEG_minus_FG * s_C_per_along_FG;
-    const Scalar FG_per_along_FG = -inverse_FG * (t07 + CEG_along_FG * CEG_per_along_FG);
-    const Scalar DE_per_along_FG = -inverse_DE * (sin_CEG_minus_DE * s_C_per_along_FG
-        + CEG_along_DE * CEG_per_along_FG);
-    const Scalar CEG_per_x_D = -CEG_per_along_DE * q.theta_DE.cos;
-    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
-    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
-    const Scalar s_C_per_x_D = -q.theta_DE.cos * s_C_per_along_DE;
-    const Scalar CEG_per_y_D = -CEG_per_along_DE * q.theta_DE.sin;
-    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
-    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
-    const Scalar s_C_per_y_D = -q.theta_DE.sin * s_C_per_along_DE;
-    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
-    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
-    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar t08 = CEG_per_along_FG * sin_CEG_minus_FG;
-    const Scalar t09 = CEG_per_along_DE * sin_CEG_minus_DE + t08;
-    const Scalar t10 = DE_per_along_FG * sin_CEG_minus_FG;
-    const Scalar t11 = inverse_DE * cos_CEG_minus_DE - DE_per_along_DE * sin_CEG_minus_DE - t10;
-    const Scalar t12 = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
-    const Scalar t13 = FG_per_along_DE * sin_CEG_minus_DE - t12, t14 = t06 + t07;
-    S_d(0, 0) = t09;  S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;  S_d(0, 2) = -t08;
-    S_d(0, 3) = -t09;  S_d(0, 4) = -CEG_per_along_DE;  S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = -t11;  S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;  S_d(1, 2) = -t10;
-    S_d(1, 3) = t11;  S_d(1, 4) = -DE_per_along_DE;  S_d(1, 5) = -DE_per_along_FG;
-    S_d(2, 0) = t13;
-    S_d(2, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
-    S_d(2, 2) = t12;  S_d(2, 3) = -t13;  S_d(2, 4) = -FG_per_along_DE;
-    S_d(2, 5) = -FG_per_along_FG;
-    S_d(3, 0) = t14;  S_d(3, 1) = cos_CEG_minus_FG * s_C_per_along_FG;  S_d(3, 2) = -t07;
-    S_d(3, 3) = -t14;  S_d(3, 4) = -s_C_per_along_DE;  S_d(3, 5) = -s_C_per_along_FG;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
-    S_u(0, 2) = CEG_per_x_D;  S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;
-    S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = -DE_per_x_D - DE_per_x_F;  S_u(1, 1) = -DE_per_y_D - DE_per_y_F;
-    S_u(1, 2) = DE_per_x_D;  S_u(1, 3) = DE_per_y_D;  S_u(1, 4) = DE_per_x_F;
-    S_u(1, 5) = DE_per_y_F;
-    S_u(2, 0) = -FG_per_x_D - FG_per_x_F;  S_u(2, 1) = -FG_per_y_D - FG_per_y_F;
-    S_u(2, 2) = FG_per_x_D;  S_u(2, 3) = FG_per_y_D;  S_u(2, 4) = FG_per_x_F;
-    S_u(2, 5) = FG_per_y_F;
-    S_u(3, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(3, 1) = -s_C_per_y_D - s_C_per_y_F;
-    S_u(3, 2) = s_C_per_x_D;  S_u(3, 3) = s_C_per_y_D;  S_u(3, 4) = s_C_per_x_F;
-    S_u(3, 5) = s_C_per_y_F;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
-    const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
-        + q.theta_CEG.sin * q.theta_DE.sin;
-    const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
-        - q.theta_CEG.cos * q.theta_DE.sin;
-    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
-        + q.theta_CEG.sin * q.theta_FG.sin;
-    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
-        - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
-    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
-    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = t01 - d.y_G_CEG;
-    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
-    const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
-    const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
-    const Scalar t04 = d.DE * d.FG, pivot_product = determinant * t04;
-    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t04, t05 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t05, inverse_DE = d.FG * t05, t06 = v_x_B - v_x_D;
-    const Scalar t07 = v_y_B - v_y_D;
-    const Scalar velocity_along_DE = q.theta_DE.cos * t06 + q.theta_DE.sin * t07;
-    const Scalar velocity_across_DE = q.theta_DE.cos * t07 - q.theta_DE.sin * t06;
-    const Scalar t08 = v_x_B - v_x_F, t09 = v_y_B - v_y_F;
-    const Scalar velocity_along_FG = q.theta_FG.cos * t08 + q.theta_FG.sin * t09;
-    const Scalar velocity_across_FG = q.theta_FG.cos * t09 - q.theta_FG.sin * t08;
-    const Scalar omega_CEG = -inverse_determinant * (cos_CEG_minus_DE * velocity_along_FG
-        - cos_CEG_minus_FG * velocity_along_DE);
-    const Scalar v_s_C = -inverse_determinant * (CEG_across_DE * velocity_along_FG
-        - CEG_across_FG * velocity_along_DE);
-    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG + sin_CEG_minus_FG * v_s_C
-        - velocity_across_FG);
-    const Scalar omega_DE = -inverse_DE * (CEG_along_DE * omega_CEG + sin_CEG_minus_DE * v_s_C
-        - velocity_across_DE);
-    q_rate(0) = omega_CEG;  q_rate(1) = omega_DE;  q_rate(2) = omega_FG;  q_rate(3) = v_s_C;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -737,129 +615,60 @@ struct Model02 {
     q_second_rate(3) = a_s_C;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
-  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
     const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3), v_x_F = u_rate(4);
     const Scalar a_x_F = u_second_rate(4), v_y_F = u_rate(5), a_y_F = u_second_rate(5);
-    const Scalar cos_CEG_minus_DE = q.theta_CEG.cos * q.theta_DE.cos
-        + q.theta_CEG.sin * q.theta_DE.sin;
-    const Scalar sin_CEG_minus_DE = q.theta_DE.cos * q.theta_CEG.sin
-        - q.theta_CEG.cos * q.theta_DE.sin;
-    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
-        + q.theta_CEG.sin * q.theta_FG.sin;
-    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
-        - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar CEG_along_DE = q.s_C * cos_CEG_minus_DE - t01 * sin_CEG_minus_DE;
-    const Scalar CEG_across_DE = t01 * cos_CEG_minus_DE + q.s_C * sin_CEG_minus_DE;
-    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = t01 - d.y_G_CEG;
-    const Scalar CEG_along_FG = t02 * cos_CEG_minus_FG - t03 * sin_CEG_minus_FG;
-    const Scalar CEG_across_FG = t02 * sin_CEG_minus_FG + t03 * cos_CEG_minus_FG;
-    const Scalar determinant = CEG_across_FG * cos_CEG_minus_DE - CEG_across_DE * cos_CEG_minus_FG;
-    const Scalar t04 = d.DE * d.FG, pivot_product = determinant * t04;
-    // A zero divisor means a dead centre, or FG = 0, or DE = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = inverse * t04, t05 = determinant * inverse;
-    const Scalar inverse_FG = d.DE * t05, inverse_DE = d.FG * t05;
-    const Scalar CEG_per_along_DE = inverse_determinant * cos_CEG_minus_FG;
-    const Scalar s_C_per_along_DE = CEG_across_FG * inverse_determinant;
-    const Scalar FG_per_along_DE = -inverse_FG * (sin_CEG_minus_FG * s_C_per_along_DE
-        + CEG_along_FG * CEG_per_along_DE);
-    const Scalar t06 = sin_CEG_minus_DE * s_C_per_along_DE;
-    const Scalar DE_per_along_DE = -inverse_DE * (t06 + CEG_per_along_DE * CEG_along_DE);
-    const Scalar CEG_per_along_FG = -inverse_determinant * cos_CEG_minus_DE;
-    const Scalar s_C_per_along_FG = -CEG_across_DE * inverse_determinant;
-    const Scalar t07 = sin_CEG_minus_FG * s_C_per_along_FG;
-    const Scalar FG_per_along_FG = -inverse_FG * (t07 + CEG_along_FG * CEG_per_along_FG);
-    const Scalar DE_per_along_FG = -inverse_DE * (sin_CEG_minus_DE * s_C_per_along_FG
-        + CEG_along_DE * CEG_per_along_FG);
-    const Scalar CEG_per_x_D = -CEG_per_along_DE * q.theta_DE.cos;
-    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
-    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
-    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
-    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
-    const Scalar DE_per_x_B = -DE_per_x_D - DE_per_x_F;
-    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
-    const Scalar s_C_per_x_D = -q.theta_DE.cos * s_C_per_along_DE;
-    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
-    const Scalar CEG_per_y_D = -CEG_per_along_DE * q.theta_DE.sin;
-    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
-    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
-    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
-    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
-    const Scalar DE_per_y_B = -DE_per_y_D - DE_per_y_F;
-    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
-    const Scalar s_C_per_y_D = -q.theta_DE.sin * s_C_per_along_DE;
-    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
-    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_x_D * v_x_D
-        + CEG_per_y_D * v_y_D + CEG_per_x_F * v_x_F + CEG_per_y_F * v_y_F;
-    const Scalar omega_DE = DE_per_x_B * v_x_B + DE_per_y_B * v_y_B + DE_per_x_D * v_x_D
-        + DE_per_y_D * v_y_D + DE_per_x_F * v_x_F + DE_per_y_F * v_y_F;
-    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_x_D * v_x_D
-        + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
-    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_x_D * v_x_D
-        + s_C_per_y_D * v_y_D + s_C_per_x_F * v_x_F + s_C_per_y_F * v_y_F;
-    const Scalar centripetal_along_DE = omega_CEG * (CEG_along_DE * omega_CEG
-        + Scalar(2) * sin_CEG_minus_DE * v_s_C) + d.DE * omega_DE * omega_DE;
-    const Scalar centripetal_across_DE = omega_CEG * (CEG_across_DE * omega_CEG
-        - Scalar(2) * cos_CEG_minus_DE * v_s_C);
-    const Scalar centripetal_along_FG = omega_CEG * (CEG_along_FG * omega_CEG
-        + Scalar(2) * sin_CEG_minus_FG * v_s_C) + d.FG * omega_FG * omega_FG;
-    const Scalar centripetal_across_FG = omega_CEG * (CEG_across_FG * omega_CEG
-        - Scalar(2) * cos_CEG_minus_FG * v_s_C);
-    const Scalar t08 = CEG_per_along_FG * sin_CEG_minus_FG;
-    const Scalar t09 = CEG_per_along_DE * sin_CEG_minus_DE + t08;
-    const Scalar t10 = DE_per_along_FG * sin_CEG_minus_FG;
-    const Scalar t11 = inverse_DE * cos_CEG_minus_DE - DE_per_along_DE * sin_CEG_minus_DE - t10;
-    const Scalar t12 = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
-    const Scalar t13 = FG_per_along_DE * sin_CEG_minus_DE - t12, t14 = t06 + t07;
-    S_d(0, 0) = t09;  S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;  S_d(0, 2) = -t08;
-    S_d(0, 3) = -t09;  S_d(0, 4) = -CEG_per_along_DE;  S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = -t11;  S_d(1, 1) = DE_per_along_FG * cos_CEG_minus_FG;  S_d(1, 2) = -t10;
-    S_d(1, 3) = t11;  S_d(1, 4) = -DE_per_along_DE;  S_d(1, 5) = -DE_per_along_FG;
-    S_d(2, 0) = t13;
-    S_d(2, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
-    S_d(2, 2) = t12;  S_d(2, 3) = -t13;  S_d(2, 4) = -FG_per_along_DE;
-    S_d(2, 5) = -FG_per_along_FG;
-    S_d(3, 0) = t14;  S_d(3, 1) = cos_CEG_minus_FG * s_C_per_along_FG;  S_d(3, 2) = -t07;
-    S_d(3, 3) = -t14;  S_d(3, 4) = -s_C_per_along_DE;  S_d(3, 5) = -s_C_per_along_FG;
-    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_x_D;
-    S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;  S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = DE_per_x_B;  S_u(1, 1) = DE_per_y_B;  S_u(1, 2) = DE_per_x_D;
-    S_u(1, 3) = DE_per_y_D;  S_u(1, 4) = DE_per_x_F;  S_u(1, 5) = DE_per_y_F;
-    S_u(2, 0) = FG_per_x_B;  S_u(2, 1) = FG_per_y_B;  S_u(2, 2) = FG_per_x_D;
-    S_u(2, 3) = FG_per_y_D;  S_u(2, 4) = FG_per_x_F;  S_u(2, 5) = FG_per_y_F;
-    S_u(3, 0) = s_C_per_x_B;  S_u(3, 1) = s_C_per_y_B;  S_u(3, 2) = s_C_per_x_D;
-    S_u(3, 3) = s_C_per_y_D;  S_u(3, 4) = s_C_per_x_F;  S_u(3, 5) = s_C_per_y_F;
+    const Scalar omega_CEG = s.CEG_per_x_B * v_x_B + s.CEG_per_y_B * v_y_B + s.CEG_per_x_D * v_x_D
+        + s.CEG_per_y_D * v_y_D + s.CEG_per_x_F * v_x_F + s.CEG_per_y_F * v_y_F;
+    const Scalar omega_DE = s.DE_per_x_B * v_x_B + s.DE_per_y_B * v_y_B + s.DE_per_x_D * v_x_D
+        + s.DE_per_y_D * v_y_D + s.DE_per_x_F * v_x_F + s.DE_per_y_F * v_y_F;
+    const Scalar omega_FG = s.FG_per_x_B * v_x_B + s.FG_per_y_B * v_y_B + s.FG_per_x_D * v_x_D
+        + s.FG_per_y_D * v_y_D + s.FG_per_x_F * v_x_F + s.FG_per_y_F * v_y_F;
+    const Scalar v_s_C = s.s_C_per_x_B * v_x_B + s.s_C_per_y_B * v_y_B + s.s_C_per_x_D * v_x_D
+        + s.s_C_per_y_D * v_y_D + s.s_C_per_x_F * v_x_F + s.s_C_per_y_F * v_y_F;
+    const Scalar centripetal_along_DE = omega_CEG * (s.CEG_along_DE * omega_CEG
+        + Scalar(2) * s.sin_CEG_minus_DE * v_s_C) + d.DE * omega_DE * omega_DE;
+    const Scalar centripetal_across_DE = omega_CEG * (s.CEG_across_DE * omega_CEG
+        - Scalar(2) * s.cos_CEG_minus_DE * v_s_C);
+    const Scalar centripetal_along_FG = omega_CEG * (s.CEG_along_FG * omega_CEG
+        + Scalar(2) * s.sin_CEG_minus_FG * v_s_C) + d.FG * omega_FG * omega_FG;
+    const Scalar centripetal_across_FG = omega_CEG * (s.CEG_across_FG * omega_CEG
+        - Scalar(2) * s.cos_CEG_minus_FG * v_s_C);
     q_rate(0) = omega_CEG;  q_rate(1) = omega_DE;  q_rate(2) = omega_FG;  q_rate(3) = v_s_C;
-    q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_x_D * a_x_D
-        + CEG_per_y_D * a_y_D + CEG_per_x_F * a_x_F + CEG_per_y_F * a_y_F
-        + CEG_per_along_DE * centripetal_along_DE + CEG_per_along_FG * centripetal_along_FG;
-    q_second_rate(1) = DE_per_x_B * a_x_B + DE_per_y_B * a_y_B + DE_per_x_D * a_x_D
-        + DE_per_y_D * a_y_D + DE_per_x_F * a_x_F + DE_per_y_F * a_y_F
-        + inverse_DE * centripetal_across_DE + DE_per_along_DE * centripetal_along_DE
-        + DE_per_along_FG * centripetal_along_FG;
-    q_second_rate(2) = FG_per_x_B * a_x_B + FG_per_y_B * a_y_B + FG_per_x_D * a_x_D
-        + FG_per_y_D * a_y_D + FG_per_x_F * a_x_F + FG_per_y_F * a_y_F
-        + inverse_FG * centripetal_across_FG + FG_per_along_DE * centripetal_along_DE
-        + FG_per_along_FG * centripetal_along_FG;
-    q_second_rate(3) = s_C_per_x_B * a_x_B + s_C_per_y_B * a_y_B + s_C_per_x_D * a_x_D
-        + s_C_per_y_D * a_y_D + s_C_per_x_F * a_x_F + s_C_per_y_F * a_y_F
-        + s_C_per_along_DE * centripetal_along_DE + s_C_per_along_FG * centripetal_along_FG;
+    q_second_rate(0) = s.CEG_per_x_B * a_x_B + s.CEG_per_y_B * a_y_B + s.CEG_per_x_D * a_x_D
+        + s.CEG_per_y_D * a_y_D + s.CEG_per_x_F * a_x_F + s.CEG_per_y_F * a_y_F
+        + s.CEG_per_along_DE * centripetal_along_DE + s.CEG_per_along_FG * centripetal_along_FG;
+    q_second_rate(1) = s.DE_per_x_B * a_x_B + s.DE_per_y_B * a_y_B + s.DE_per_x_D * a_x_D
+        + s.DE_per_y_D * a_y_D + s.DE_per_x_F * a_x_F + s.DE_per_y_F * a_y_F
+        + s.inverse_DE * centripetal_across_DE + s.DE_per_along_DE * centripetal_along_DE
+        + s.DE_per_along_FG * centripetal_along_FG;
+    q_second_rate(2) = s.FG_per_x_B * a_x_B + s.FG_per_y_B * a_y_B + s.FG_per_x_D * a_x_D
+        + s.FG_per_y_D * a_y_D + s.FG_per_x_F * a_x_F + s.FG_per_y_F * a_y_F
+        + s.inverse_FG * centripetal_across_FG + s.FG_per_along_DE * centripetal_along_DE
+        + s.FG_per_along_FG * centripetal_along_FG;
+    q_second_rate(3) = s.s_C_per_x_B * a_x_B + s.s_C_per_y_B * a_y_B + s.s_C_per_x_D * a_x_D
+        + s.s_C_per_y_D * a_y_D + s.s_C_per_x_F * a_x_F + s.s_C_per_y_F * a_y_F
+        + s.s_C_per_along_DE * centripetal_along_DE + s.s_C_per_along_FG * centripetal_along_FG;
   }
 
   /// The final polynomial T in theta_CEG, free of all other unknowns:

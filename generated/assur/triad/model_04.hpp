@@ -28,18 +28,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: link CEG does not close exactly one loop.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     18, 21, 0
 ///   jacobian:                     8, 2, 0
 ///   dimension_jacobian:           12, 9, 0
 ///   input_jacobian:               14, 11, 0
-///   velocity_rhs:                 18, 19, 0
-///   acceleration_rhs:             44, 33, 0
-///   jerk_rhs:                     82, 51, 0
 ///   curvature_rhs:                76, 49, 0
 ///   link_poses:                   10, 8, 0
 ///   pose_jacobians:               10, 6, 0
@@ -48,9 +41,8 @@ namespace assur::triad {
 ///   pose_curvatures:              38, 20, 0
 ///   degeneracies:                 2, 7, 0
 ///   inverse_jacobian:             68, 19, 1
-///   sensitivities:                119, 59, 1
-///   velocity:                     68, 39, 1
 ///   motion:                       110, 69, 1
+///   sensitivities:                119, 59, 1
 ///   sensitivities_and_motion:     213, 127, 1
 ///   position_polynomial:          64, 48, 0
 ///   second_equations:             47, 40, 0
@@ -68,7 +60,7 @@ struct Model04 {
   static constexpr int input_count = 7;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 2;  ///< index of the final polynomial's unknown
@@ -191,6 +183,137 @@ struct Model04 {
       {"RR-RR-PP", { 2, 3, 4, 5, 0, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_phi_B_minus_DE = u.phi_B.cos * q.theta_DE.cos + u.phi_B.sin * q.theta_DE.sin;
+    const Scalar sin_phi_B_minus_DE = u.phi_B.sin * q.theta_DE.cos - u.phi_B.cos * q.theta_DE.sin;
+    const Scalar cos_phi_B_plus_psi_C_BC_minus_DE = q.theta_DE.cos * cos_CEG
+        + q.theta_DE.sin * sin_CEG;
+    const Scalar sin_phi_B_plus_psi_C_BC_minus_DE = q.theta_DE.cos * sin_CEG
+        - q.theta_DE.sin * cos_CEG;
+    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
+    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
+    const Scalar cos_phi_B_plus_psi_C_BC_minus_FG = cos_CEG * q.theta_FG.cos
+        + sin_CEG * q.theta_FG.sin;
+    const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = sin_CEG * q.theta_FG.cos
+        - cos_CEG * q.theta_FG.sin;
+    const Scalar phi_B_along_DE = q.s_C * cos_phi_B_plus_psi_C_BC_minus_DE
+        - q.s_B * cos_phi_B_minus_DE - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_DE;
+    const Scalar t01 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_DE
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_DE;
+    const Scalar phi_B_across_DE = t01 - q.s_B * sin_phi_B_minus_DE, t02 = q.s_C - d.x_G_CEG;
+    const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
+        - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
+    const Scalar t04 = t03 * cos_phi_B_plus_psi_C_BC_minus_FG
+        + t02 * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
+    const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
+        - q.theta_DE.cos * q.theta_FG.sin;
+    const Scalar t05 = d.DE * d.psi_C_BC.sin, t06 = d.FG * sin_DE_minus_FG;
+    const Scalar pivot_product = t05 * t06;
+    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
+    //     DE = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar t07 = inverse * t06, inverse_sin_psi_C_BC = d.DE * t07, t08 = inverse * t05;
+    const Scalar inverse_sin_DE_minus_FG = d.FG * t08, inverse_FG = t08 * sin_DE_minus_FG;
+    const Scalar inverse_DE = t07 * d.psi_C_BC.sin;
+    const Scalar t09 = inverse_sin_psi_C_BC * inverse_sin_DE_minus_FG;
+    const Scalar s_B_per_along_DE = cos_phi_B_plus_psi_C_BC_minus_FG * t09;
+    const Scalar s_C_per_along_DE = cos_phi_B_minus_FG * t09;
+    const Scalar FG_per_along_DE = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_DE
+        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_DE);
+    const Scalar t10 = sin_phi_B_plus_psi_C_BC_minus_DE * s_C_per_along_DE;
+    const Scalar DE_per_along_DE = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_DE - t10);
+    const Scalar s_B_per_along_FG = -cos_phi_B_plus_psi_C_BC_minus_DE * t09;
+    const Scalar s_C_per_along_FG = -cos_phi_B_minus_DE * t09;
+    const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
+    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t11);
+    const Scalar DE_per_along_FG = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_FG
+        - sin_phi_B_plus_psi_C_BC_minus_DE * s_C_per_along_FG);
+    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
+    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
+    const Scalar DE_per_x_B = -DE_per_x_D - DE_per_x_F;
+    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_B_per_x_D = -q.theta_DE.cos * s_B_per_along_DE;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_C_per_x_D = -q.theta_DE.cos * s_C_per_along_DE;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
+    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
+    const Scalar DE_per_y_B = -DE_per_y_D - DE_per_y_F;
+    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_B_per_y_D = -q.theta_DE.sin * s_B_per_along_DE;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_C_per_y_D = -q.theta_DE.sin * s_C_per_along_DE;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar DE_per_phi_B = DE_per_along_DE * phi_B_across_DE
+        + DE_per_along_FG * phi_B_across_FG - inverse_DE * phi_B_along_DE;
+    const Scalar FG_per_phi_B = FG_per_along_DE * phi_B_across_DE
+        + FG_per_along_FG * phi_B_across_FG - inverse_FG * phi_B_along_FG;
+    const Scalar s_B_per_phi_B = phi_B_across_DE * s_B_per_along_DE
+        + phi_B_across_FG * s_B_per_along_FG;
+    const Scalar s_C_per_phi_B = phi_B_across_DE * s_C_per_along_DE
+        + phi_B_across_FG * s_C_per_along_FG;
+    const Scalar t12 = DE_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar t13 = inverse_DE * cos_phi_B_plus_psi_C_BC_minus_DE
+        - DE_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE;
+    const Scalar t14 = inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar t15 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = t12 - t13;  S_d(0, 1) = DE_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG;
+      S_d(0, 2) = -t12;
+      S_d(0, 3) = DE_per_along_FG * t04
+          + d.h_C_CEG * (DE_per_along_DE * cos_phi_B_plus_psi_C_BC_minus_DE
+          + inverse_DE * sin_phi_B_plus_psi_C_BC_minus_DE) - q.s_C * t13;
+      S_d(0, 4) = -DE_per_along_DE;  S_d(0, 5) = -DE_per_along_FG;
+      S_d(1, 0) = FG_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE - t14;
+      S_d(1, 1) = FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+          + inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+      S_d(1, 2) = t14;
+      S_d(1, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
+          + FG_per_along_DE * t01 - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG
+          - t03 * FG_per_along_FG);
+      S_d(1, 4) = -FG_per_along_DE;  S_d(1, 5) = -FG_per_along_FG;
+      S_d(2, 0) = sin_phi_B_plus_psi_C_BC_minus_DE * s_B_per_along_DE + t15;
+      S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;  S_d(2, 2) = -t15;
+      S_d(2, 3) = t04 * s_B_per_along_FG + t01 * s_B_per_along_DE;  S_d(2, 4) = -s_B_per_along_DE;
+      S_d(2, 5) = -s_B_per_along_FG;
+      S_d(3, 0) = t10 + t11;  S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
+      S_d(3, 2) = -t11;  S_d(3, 3) = t04 * s_C_per_along_FG + t01 * s_C_per_along_DE;
+      S_d(3, 4) = -s_C_per_along_DE;  S_d(3, 5) = -s_C_per_along_FG;
+      S_u(0, 0) = DE_per_x_B;  S_u(0, 1) = DE_per_y_B;  S_u(0, 2) = DE_per_phi_B;
+      S_u(0, 3) = DE_per_x_D;  S_u(0, 4) = DE_per_y_D;  S_u(0, 5) = DE_per_x_F;
+      S_u(0, 6) = DE_per_y_F;
+      S_u(1, 0) = FG_per_x_B;  S_u(1, 1) = FG_per_y_B;  S_u(1, 2) = FG_per_phi_B;
+      S_u(1, 3) = FG_per_x_D;  S_u(1, 4) = FG_per_y_D;  S_u(1, 5) = FG_per_x_F;
+      S_u(1, 6) = FG_per_y_F;
+      S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;  S_u(2, 2) = s_B_per_phi_B;
+      S_u(2, 3) = s_B_per_x_D;  S_u(2, 4) = s_B_per_y_D;  S_u(2, 5) = s_B_per_x_F;
+      S_u(2, 6) = s_B_per_y_F;
+      S_u(3, 0) = s_C_per_x_B;  S_u(3, 1) = s_C_per_y_B;  S_u(3, 2) = s_C_per_phi_B;
+      S_u(3, 3) = s_C_per_x_D;  S_u(3, 4) = s_C_per_y_D;  S_u(3, 5) = s_C_per_x_F;
+      S_u(3, 6) = s_C_per_y_F;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -260,104 +383,6 @@ struct Model04 {
     F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -CE_x - t03;  F_u(1, 4) = Scalar(1);
     F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + t02;  F_u(2, 5) = Scalar(1);
     F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -CG_x - t03;  F_u(3, 6) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_B_y - slide_C_y;
-    const Scalar t03 = slide_B_x - slide_C_x;
-    rhs(0) = v_x_B - v_x_D - (CE_y + t02) * omega_B;
-    rhs(1) = v_y_B + (CE_x + t03) * omega_B - v_y_D;
-    rhs(2) = v_x_B - v_x_F - (CG_y + t02) * omega_B;
-    rhs(3) = v_y_B + (CG_x + t03) * omega_B - v_y_F;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_DE = q_rate(0), omega_FG = q_rate(1), v_s_B = q_rate(2), v_s_C = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = omega_DE * omega_DE;
-    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t04 = slide_B_x - slide_C_x;
-    const Scalar t05 = CE_x + t04, t06 = slide_B_y - slide_C_y, t07 = CE_y + t06;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t09 = omega_FG * omega_FG;
-    const Scalar t10 = CG_x + t04, t11 = CG_y + t06;
-    rhs(0) = a_x_B + DE_x * t02 - a_x_D - omega_B * (Scalar(2) * t03 + t05 * omega_B)
-        - t07 * alpha_B;
-    rhs(1) = a_y_B + DE_y * t02 + t05 * alpha_B + omega_B * (Scalar(2) * t08 - t07 * omega_B)
-        - a_y_D;
-    rhs(2) = a_x_B + FG_x * t09 - a_x_F - omega_B * (Scalar(2) * t03 + t10 * omega_B)
-        - t11 * alpha_B;
-    rhs(3) = a_y_B + FG_y * t09 + t10 * alpha_B + omega_B * (Scalar(2) * t08 - t11 * omega_B)
-        - a_y_F;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_DE = q_rate(0), alpha_DE = q_second_rate(0), omega_FG = q_rate(1);
-    const Scalar alpha_FG = q_second_rate(1), v_s_B = q_rate(2), a_s_B = q_second_rate(2);
-    const Scalar v_s_C = q_rate(3), a_s_C = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
-    const Scalar j_x_F = u_third_rate(5), j_y_F = u_third_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar DE_x = d.DE * q.theta_DE.cos, DE_y = d.DE * q.theta_DE.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG;
-    const Scalar t02 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t03 = alpha_B * t02;
-    const Scalar t04 = omega_DE * omega_DE, t05 = slide_B_y - slide_C_y, t06 = CE_y + t05;
-    const Scalar t07 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t09 = slide_B_x - slide_C_x;
-    const Scalar t10 = CE_x + t09, t11 = t08 * alpha_B, t12 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t13 = omega_FG * omega_FG, t14 = CG_y + t05, t15 = CG_x + t09;
-    rhs(0) = j_x_B + omega_DE * (Scalar(3) * DE_x * alpha_DE - DE_y * t04) - Scalar(3) * t03 - j_x_D
-        - t06 * jerk_B - omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - t06 * omega_B)
-        + Scalar(3) * t10 * alpha_B);
-    rhs(1) = Scalar(3) * t11 + j_y_B + omega_DE * (Scalar(3) * DE_y * alpha_DE + DE_x * t04)
-        + t10 * jerk_B + omega_B * (Scalar(3) * t12 - Scalar(3) * t06 * alpha_B
-        - omega_B * (Scalar(3) * t02 + t10 * omega_B)) - j_y_D;
-    rhs(2) = j_x_B + omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t13) - Scalar(3) * t03 - j_x_F
-        - t14 * jerk_B - omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - t14 * omega_B)
-        + Scalar(3) * t15 * alpha_B);
-    rhs(3) = Scalar(3) * t11 + j_y_B + omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t13)
-        + t15 * jerk_B + omega_B * (Scalar(3) * t12 - Scalar(3) * t14 * alpha_B
-        - omega_B * (Scalar(3) * t02 + t15 * omega_B)) - j_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -609,183 +634,6 @@ struct Model04 {
     J_inverse(3, 3) = q.theta_FG.sin * s_C_per_along_FG;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_phi_B_minus_DE = u.phi_B.cos * q.theta_DE.cos + u.phi_B.sin * q.theta_DE.sin;
-    const Scalar sin_phi_B_minus_DE = u.phi_B.sin * q.theta_DE.cos - u.phi_B.cos * q.theta_DE.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_DE = q.theta_DE.cos * cos_CEG
-        + q.theta_DE.sin * sin_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_DE = q.theta_DE.cos * sin_CEG
-        - q.theta_DE.sin * cos_CEG;
-    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
-    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_FG = cos_CEG * q.theta_FG.cos
-        + sin_CEG * q.theta_FG.sin;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = sin_CEG * q.theta_FG.cos
-        - cos_CEG * q.theta_FG.sin;
-    const Scalar phi_B_along_DE = q.s_C * cos_phi_B_plus_psi_C_BC_minus_DE
-        - q.s_B * cos_phi_B_minus_DE - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_DE;
-    const Scalar t01 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_DE
-        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_DE;
-    const Scalar phi_B_across_DE = t01 - q.s_B * sin_phi_B_minus_DE, t02 = q.s_C - d.x_G_CEG;
-    const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
-        - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar t04 = t03 * cos_phi_B_plus_psi_C_BC_minus_FG
-        + t02 * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
-    const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
-        - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t05 = d.DE * d.psi_C_BC.sin, t06 = d.FG * sin_DE_minus_FG;
-    const Scalar pivot_product = t05 * t06;
-    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
-    //     DE = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t07 = inverse * t06, inverse_sin_psi_C_BC = d.DE * t07, t08 = inverse * t05;
-    const Scalar inverse_sin_DE_minus_FG = d.FG * t08, inverse_FG = t08 * sin_DE_minus_FG;
-    const Scalar inverse_DE = t07 * d.psi_C_BC.sin;
-    const Scalar t09 = inverse_sin_psi_C_BC * inverse_sin_DE_minus_FG;
-    const Scalar s_B_per_along_DE = cos_phi_B_plus_psi_C_BC_minus_FG * t09;
-    const Scalar s_C_per_along_DE = cos_phi_B_minus_FG * t09;
-    const Scalar FG_per_along_DE = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_DE
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_DE);
-    const Scalar t10 = sin_phi_B_plus_psi_C_BC_minus_DE * s_C_per_along_DE;
-    const Scalar DE_per_along_DE = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_DE - t10);
-    const Scalar s_B_per_along_FG = -cos_phi_B_plus_psi_C_BC_minus_DE * t09;
-    const Scalar s_C_per_along_FG = -cos_phi_B_minus_DE * t09;
-    const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t11);
-    const Scalar DE_per_along_FG = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_FG
-        - sin_phi_B_plus_psi_C_BC_minus_DE * s_C_per_along_FG);
-    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
-    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
-    const Scalar s_B_per_x_D = -q.theta_DE.cos * s_B_per_along_DE;
-    const Scalar s_C_per_x_D = -q.theta_DE.cos * s_C_per_along_DE;
-    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
-    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
-    const Scalar s_B_per_y_D = -q.theta_DE.sin * s_B_per_along_DE;
-    const Scalar s_C_per_y_D = -q.theta_DE.sin * s_C_per_along_DE;
-    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar t12 = DE_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar t13 = inverse_DE * cos_phi_B_plus_psi_C_BC_minus_DE
-        - DE_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE;
-    const Scalar t14 = inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
-        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar t15 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    S_d(0, 0) = t12 - t13;  S_d(0, 1) = DE_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG;
-    S_d(0, 2) = -t12;
-    S_d(0, 3) = DE_per_along_FG * t04
-        + d.h_C_CEG * (DE_per_along_DE * cos_phi_B_plus_psi_C_BC_minus_DE
-        + inverse_DE * sin_phi_B_plus_psi_C_BC_minus_DE) - q.s_C * t13;
-    S_d(0, 4) = -DE_per_along_DE;  S_d(0, 5) = -DE_per_along_FG;
-    S_d(1, 0) = FG_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE - t14;
-    S_d(1, 1) = FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
-        + inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    S_d(1, 2) = t14;
-    S_d(1, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
-        + FG_per_along_DE * t01 - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG
-        - t03 * FG_per_along_FG);
-    S_d(1, 4) = -FG_per_along_DE;  S_d(1, 5) = -FG_per_along_FG;
-    S_d(2, 0) = sin_phi_B_plus_psi_C_BC_minus_DE * s_B_per_along_DE + t15;
-    S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;  S_d(2, 2) = -t15;
-    S_d(2, 3) = t04 * s_B_per_along_FG + t01 * s_B_per_along_DE;  S_d(2, 4) = -s_B_per_along_DE;
-    S_d(2, 5) = -s_B_per_along_FG;
-    S_d(3, 0) = t10 + t11;  S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    S_d(3, 2) = -t11;  S_d(3, 3) = t04 * s_C_per_along_FG + t01 * s_C_per_along_DE;
-    S_d(3, 4) = -s_C_per_along_DE;  S_d(3, 5) = -s_C_per_along_FG;
-    S_u(0, 0) = -DE_per_x_D - DE_per_x_F;  S_u(0, 1) = -DE_per_y_D - DE_per_y_F;
-    S_u(0, 2) = DE_per_along_DE * phi_B_across_DE + DE_per_along_FG * phi_B_across_FG
-        - inverse_DE * phi_B_along_DE;
-    S_u(0, 3) = DE_per_x_D;  S_u(0, 4) = DE_per_y_D;  S_u(0, 5) = DE_per_x_F;
-    S_u(0, 6) = DE_per_y_F;
-    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;  S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
-    S_u(1, 2) = FG_per_along_DE * phi_B_across_DE + FG_per_along_FG * phi_B_across_FG
-        - inverse_FG * phi_B_along_FG;
-    S_u(1, 3) = FG_per_x_D;  S_u(1, 4) = FG_per_y_D;  S_u(1, 5) = FG_per_x_F;
-    S_u(1, 6) = FG_per_y_F;
-    S_u(2, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(2, 1) = -s_B_per_y_D - s_B_per_y_F;
-    S_u(2, 2) = phi_B_across_DE * s_B_per_along_DE + phi_B_across_FG * s_B_per_along_FG;
-    S_u(2, 3) = s_B_per_x_D;  S_u(2, 4) = s_B_per_y_D;  S_u(2, 5) = s_B_per_x_F;
-    S_u(2, 6) = s_B_per_y_F;
-    S_u(3, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(3, 1) = -s_C_per_y_D - s_C_per_y_F;
-    S_u(3, 2) = phi_B_across_DE * s_C_per_along_DE + phi_B_across_FG * s_C_per_along_FG;
-    S_u(3, 3) = s_C_per_x_D;  S_u(3, 4) = s_C_per_y_D;  S_u(3, 5) = s_C_per_x_F;
-    S_u(3, 6) = s_C_per_y_F;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_phi_B_minus_DE = u.phi_B.cos * q.theta_DE.cos + u.phi_B.sin * q.theta_DE.sin;
-    const Scalar sin_phi_B_minus_DE = u.phi_B.sin * q.theta_DE.cos - u.phi_B.cos * q.theta_DE.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_DE = q.theta_DE.cos * cos_CEG
-        + q.theta_DE.sin * sin_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_DE = q.theta_DE.cos * sin_CEG
-        - q.theta_DE.sin * cos_CEG;
-    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
-    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_FG = cos_CEG * q.theta_FG.cos
-        + sin_CEG * q.theta_FG.sin;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = sin_CEG * q.theta_FG.cos
-        - cos_CEG * q.theta_FG.sin;
-    const Scalar phi_B_along_DE = q.s_C * cos_phi_B_plus_psi_C_BC_minus_DE
-        - q.s_B * cos_phi_B_minus_DE - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_DE;
-    const Scalar phi_B_across_DE = q.s_C * sin_phi_B_plus_psi_C_BC_minus_DE
-        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_DE - q.s_B * sin_phi_B_minus_DE;
-    const Scalar t01 = q.s_C - d.x_G_CEG, t02 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar phi_B_along_FG = t01 * cos_phi_B_plus_psi_C_BC_minus_FG
-        - t02 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar phi_B_across_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
-        + t01 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
-    const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
-        - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t03 = d.DE * d.psi_C_BC.sin, t04 = d.FG * sin_DE_minus_FG;
-    const Scalar pivot_product = t03 * t04;
-    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
-    //     DE = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t05 = inverse * t04, inverse_sin_psi_C_BC = d.DE * t05, t06 = inverse * t03;
-    const Scalar inverse_sin_DE_minus_FG = d.FG * t06, inverse_FG = t06 * sin_DE_minus_FG;
-    const Scalar inverse_DE = t05 * d.psi_C_BC.sin, t07 = v_x_B - v_x_D, t08 = v_y_B - v_y_D;
-    const Scalar velocity_along_DE = q.theta_DE.cos * t07 + q.theta_DE.sin * t08
-        + phi_B_across_DE * omega_B;
-    const Scalar velocity_across_DE = q.theta_DE.cos * t08 - q.theta_DE.sin * t07
-        - phi_B_along_DE * omega_B;
-    const Scalar t09 = v_x_B - v_x_F, t10 = v_y_B - v_y_F;
-    const Scalar velocity_along_FG = q.theta_FG.cos * t09 + q.theta_FG.sin * t10
-        + phi_B_across_FG * omega_B;
-    const Scalar velocity_across_FG = q.theta_FG.cos * t10 - q.theta_FG.sin * t09
-        - phi_B_along_FG * omega_B;
-    const Scalar t11 = inverse_sin_DE_minus_FG * inverse_sin_psi_C_BC;
-    const Scalar v_s_B = -t11 * (cos_phi_B_plus_psi_C_BC_minus_DE * velocity_along_FG
-        - cos_phi_B_plus_psi_C_BC_minus_FG * velocity_along_DE);
-    const Scalar v_s_C = -t11 * (cos_phi_B_minus_DE * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_along_DE);
-    const Scalar omega_FG = inverse_FG * (sin_phi_B_minus_FG * v_s_B + velocity_across_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
-    const Scalar omega_DE = inverse_DE * (sin_phi_B_minus_DE * v_s_B + velocity_across_DE
-        - sin_phi_B_plus_psi_C_BC_minus_DE * v_s_C);
-    q_rate(0) = omega_DE;  q_rate(1) = omega_FG;  q_rate(2) = v_s_B;  q_rate(3) = v_s_C;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -874,6 +722,15 @@ struct Model04 {
     q_second_rate(3) = a_s_C;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -882,163 +739,50 @@ struct Model04 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
     const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_phi_B_minus_DE = u.phi_B.cos * q.theta_DE.cos + u.phi_B.sin * q.theta_DE.sin;
-    const Scalar sin_phi_B_minus_DE = u.phi_B.sin * q.theta_DE.cos - u.phi_B.cos * q.theta_DE.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_DE = q.theta_DE.cos * cos_CEG
-        + q.theta_DE.sin * sin_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_DE = q.theta_DE.cos * sin_CEG
-        - q.theta_DE.sin * cos_CEG;
-    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
-    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_FG = cos_CEG * q.theta_FG.cos
-        + sin_CEG * q.theta_FG.sin;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = sin_CEG * q.theta_FG.cos
-        - cos_CEG * q.theta_FG.sin;
-    const Scalar phi_B_along_DE = q.s_C * cos_phi_B_plus_psi_C_BC_minus_DE
-        - q.s_B * cos_phi_B_minus_DE - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_DE;
-    const Scalar t01 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_DE
-        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_DE;
-    const Scalar phi_B_across_DE = t01 - q.s_B * sin_phi_B_minus_DE, t02 = q.s_C - d.x_G_CEG;
-    const Scalar t03 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
-        - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar t04 = t03 * cos_phi_B_plus_psi_C_BC_minus_FG
-        + t02 * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
-    const Scalar sin_DE_minus_FG = q.theta_DE.sin * q.theta_FG.cos
-        - q.theta_DE.cos * q.theta_FG.sin;
-    const Scalar t05 = d.DE * d.psi_C_BC.sin, t06 = d.FG * sin_DE_minus_FG;
-    const Scalar pivot_product = t05 * t06;
-    // A zero divisor means sin(psi_C_BC) = 0, or sin(theta_DE - theta_FG) = 0, or FG = 0, or
-    //     DE = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar t07 = inverse * t06, inverse_sin_psi_C_BC = d.DE * t07, t08 = inverse * t05;
-    const Scalar inverse_sin_DE_minus_FG = d.FG * t08, inverse_FG = t08 * sin_DE_minus_FG;
-    const Scalar inverse_DE = t07 * d.psi_C_BC.sin;
-    const Scalar t09 = inverse_sin_psi_C_BC * inverse_sin_DE_minus_FG;
-    const Scalar s_B_per_along_DE = cos_phi_B_plus_psi_C_BC_minus_FG * t09;
-    const Scalar s_C_per_along_DE = cos_phi_B_minus_FG * t09;
-    const Scalar FG_per_along_DE = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_DE
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_DE);
-    const Scalar t10 = sin_phi_B_plus_psi_C_BC_minus_DE * s_C_per_along_DE;
-    const Scalar DE_per_along_DE = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_DE - t10);
-    const Scalar s_B_per_along_FG = -cos_phi_B_plus_psi_C_BC_minus_DE * t09;
-    const Scalar s_C_per_along_FG = -cos_phi_B_minus_DE * t09;
-    const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t11);
-    const Scalar DE_per_along_FG = inverse_DE * (sin_phi_B_minus_DE * s_B_per_along_FG
-        - sin_phi_B_plus_psi_C_BC_minus_DE * s_C_per_along_FG);
-    const Scalar DE_per_x_D = inverse_DE * q.theta_DE.sin - DE_per_along_DE * q.theta_DE.cos;
-    const Scalar DE_per_x_F = -DE_per_along_FG * q.theta_FG.cos;
-    const Scalar DE_per_x_B = -DE_per_x_D - DE_per_x_F;
-    const Scalar FG_per_x_D = -FG_per_along_DE * q.theta_DE.cos;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
-    const Scalar s_B_per_x_D = -q.theta_DE.cos * s_B_per_along_DE;
-    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
-    const Scalar s_C_per_x_D = -q.theta_DE.cos * s_C_per_along_DE;
-    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
-    const Scalar DE_per_y_D = -inverse_DE * q.theta_DE.cos - DE_per_along_DE * q.theta_DE.sin;
-    const Scalar DE_per_y_F = -DE_per_along_FG * q.theta_FG.sin;
-    const Scalar DE_per_y_B = -DE_per_y_D - DE_per_y_F;
-    const Scalar FG_per_y_D = -FG_per_along_DE * q.theta_DE.sin;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
-    const Scalar s_B_per_y_D = -q.theta_DE.sin * s_B_per_along_DE;
-    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
-    const Scalar s_C_per_y_D = -q.theta_DE.sin * s_C_per_along_DE;
-    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
-    const Scalar DE_per_phi_B = DE_per_along_DE * phi_B_across_DE
-        + DE_per_along_FG * phi_B_across_FG - inverse_DE * phi_B_along_DE;
-    const Scalar FG_per_phi_B = FG_per_along_DE * phi_B_across_DE
-        + FG_per_along_FG * phi_B_across_FG - inverse_FG * phi_B_along_FG;
-    const Scalar s_B_per_phi_B = phi_B_across_DE * s_B_per_along_DE
-        + phi_B_across_FG * s_B_per_along_FG;
-    const Scalar s_C_per_phi_B = phi_B_across_DE * s_C_per_along_DE
-        + phi_B_across_FG * s_C_per_along_FG;
-    const Scalar omega_DE = DE_per_x_B * v_x_B + DE_per_y_B * v_y_B + DE_per_phi_B * omega_B
-        + DE_per_x_D * v_x_D + DE_per_y_D * v_y_D + DE_per_x_F * v_x_F + DE_per_y_F * v_y_F;
-    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_phi_B * omega_B
-        + FG_per_x_D * v_x_D + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
-    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
-        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_x_F * v_x_F + s_B_per_y_F * v_y_F;
-    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_phi_B * omega_B
-        + s_C_per_x_D * v_x_D + s_C_per_y_D * v_y_D + s_C_per_x_F * v_x_F + s_C_per_y_F * v_y_F;
+    const Scalar omega_DE = s.DE_per_x_B * v_x_B + s.DE_per_y_B * v_y_B + s.DE_per_phi_B * omega_B
+        + s.DE_per_x_D * v_x_D + s.DE_per_y_D * v_y_D + s.DE_per_x_F * v_x_F + s.DE_per_y_F * v_y_F;
+    const Scalar omega_FG = s.FG_per_x_B * v_x_B + s.FG_per_y_B * v_y_B + s.FG_per_phi_B * omega_B
+        + s.FG_per_x_D * v_x_D + s.FG_per_y_D * v_y_D + s.FG_per_x_F * v_x_F + s.FG_per_y_F * v_y_F;
+    const Scalar v_s_B = s.s_B_per_x_B * v_x_B + s.s_B_per_y_B * v_y_B + s.s_B_per_phi_B * omega_B
+        + s.s_B_per_x_D * v_x_D + s.s_B_per_y_D * v_y_D + s.s_B_per_x_F * v_x_F
+        + s.s_B_per_y_F * v_y_F;
+    const Scalar v_s_C = s.s_C_per_x_B * v_x_B + s.s_C_per_y_B * v_y_B + s.s_C_per_phi_B * omega_B
+        + s.s_C_per_x_D * v_x_D + s.s_C_per_y_D * v_y_D + s.s_C_per_x_F * v_x_F
+        + s.s_C_per_y_F * v_y_F;
     const Scalar centripetal_along_DE = d.DE * omega_DE * omega_DE
-        - omega_B * (Scalar(2) * sin_phi_B_minus_DE * v_s_B
-        - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_DE * v_s_C - phi_B_along_DE * omega_B);
-    const Scalar centripetal_across_DE = omega_B * (Scalar(2) * cos_phi_B_minus_DE * v_s_B
-        + phi_B_across_DE * omega_B - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_DE * v_s_C);
+        - omega_B * (Scalar(2) * s.sin_phi_B_minus_DE * v_s_B
+        - Scalar(2) * s.sin_phi_B_plus_psi_C_BC_minus_DE * v_s_C - s.phi_B_along_DE * omega_B);
+    const Scalar centripetal_across_DE = omega_B * (Scalar(2) * s.cos_phi_B_minus_DE * v_s_B
+        + s.phi_B_across_DE * omega_B - Scalar(2) * s.cos_phi_B_plus_psi_C_BC_minus_DE * v_s_C);
     const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG
-        - omega_B * (Scalar(2) * sin_phi_B_minus_FG * v_s_B
-        - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C - phi_B_along_FG * omega_B);
-    const Scalar centripetal_across_FG = omega_B * (Scalar(2) * cos_phi_B_minus_FG * v_s_B
-        + phi_B_across_FG * omega_B - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
-    const Scalar t12 = DE_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar t13 = inverse_DE * cos_phi_B_plus_psi_C_BC_minus_DE
-        - DE_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE;
-    const Scalar t14 = inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
-        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar t15 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    S_d(0, 0) = t12 - t13;  S_d(0, 1) = DE_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG;
-    S_d(0, 2) = -t12;
-    S_d(0, 3) = DE_per_along_FG * t04
-        + d.h_C_CEG * (DE_per_along_DE * cos_phi_B_plus_psi_C_BC_minus_DE
-        + inverse_DE * sin_phi_B_plus_psi_C_BC_minus_DE) - q.s_C * t13;
-    S_d(0, 4) = -DE_per_along_DE;  S_d(0, 5) = -DE_per_along_FG;
-    S_d(1, 0) = FG_per_along_DE * sin_phi_B_plus_psi_C_BC_minus_DE - t14;
-    S_d(1, 1) = FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
-        + inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    S_d(1, 2) = t14;
-    S_d(1, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
-        + FG_per_along_DE * t01 - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG
-        - t03 * FG_per_along_FG);
-    S_d(1, 4) = -FG_per_along_DE;  S_d(1, 5) = -FG_per_along_FG;
-    S_d(2, 0) = sin_phi_B_plus_psi_C_BC_minus_DE * s_B_per_along_DE + t15;
-    S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;  S_d(2, 2) = -t15;
-    S_d(2, 3) = t04 * s_B_per_along_FG + t01 * s_B_per_along_DE;  S_d(2, 4) = -s_B_per_along_DE;
-    S_d(2, 5) = -s_B_per_along_FG;
-    S_d(3, 0) = t10 + t11;  S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    S_d(3, 2) = -t11;  S_d(3, 3) = t04 * s_C_per_along_FG + t01 * s_C_per_along_DE;
-    S_d(3, 4) = -s_C_per_along_DE;  S_d(3, 5) = -s_C_per_along_FG;
-    S_u(0, 0) = DE_per_x_B;  S_u(0, 1) = DE_per_y_B;  S_u(0, 2) = DE_per_phi_B;
-    S_u(0, 3) = DE_per_x_D;  S_u(0, 4) = DE_per_y_D;  S_u(0, 5) = DE_per_x_F;
-    S_u(0, 6) = DE_per_y_F;
-    S_u(1, 0) = FG_per_x_B;  S_u(1, 1) = FG_per_y_B;  S_u(1, 2) = FG_per_phi_B;
-    S_u(1, 3) = FG_per_x_D;  S_u(1, 4) = FG_per_y_D;  S_u(1, 5) = FG_per_x_F;
-    S_u(1, 6) = FG_per_y_F;
-    S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;  S_u(2, 2) = s_B_per_phi_B;
-    S_u(2, 3) = s_B_per_x_D;  S_u(2, 4) = s_B_per_y_D;  S_u(2, 5) = s_B_per_x_F;
-    S_u(2, 6) = s_B_per_y_F;
-    S_u(3, 0) = s_C_per_x_B;  S_u(3, 1) = s_C_per_y_B;  S_u(3, 2) = s_C_per_phi_B;
-    S_u(3, 3) = s_C_per_x_D;  S_u(3, 4) = s_C_per_y_D;  S_u(3, 5) = s_C_per_x_F;
-    S_u(3, 6) = s_C_per_y_F;
+        - omega_B * (Scalar(2) * s.sin_phi_B_minus_FG * v_s_B
+        - Scalar(2) * s.sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C - s.phi_B_along_FG * omega_B);
+    const Scalar centripetal_across_FG = omega_B * (Scalar(2) * s.cos_phi_B_minus_FG * v_s_B
+        + s.phi_B_across_FG * omega_B - Scalar(2) * s.cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
     q_rate(0) = omega_DE;  q_rate(1) = omega_FG;  q_rate(2) = v_s_B;  q_rate(3) = v_s_C;
-    q_second_rate(0) = DE_per_x_B * a_x_B + DE_per_y_B * a_y_B + DE_per_phi_B * alpha_B
-        + DE_per_x_D * a_x_D + DE_per_y_D * a_y_D + DE_per_x_F * a_x_F + DE_per_y_F * a_y_F
-        + inverse_DE * centripetal_across_DE + DE_per_along_DE * centripetal_along_DE
-        + DE_per_along_FG * centripetal_along_FG;
-    q_second_rate(1) = FG_per_x_B * a_x_B + FG_per_y_B * a_y_B + FG_per_phi_B * alpha_B
-        + FG_per_x_D * a_x_D + FG_per_y_D * a_y_D + FG_per_x_F * a_x_F + FG_per_y_F * a_y_F
-        + inverse_FG * centripetal_across_FG + FG_per_along_DE * centripetal_along_DE
-        + FG_per_along_FG * centripetal_along_FG;
-    q_second_rate(2) = s_B_per_x_B * a_x_B + s_B_per_y_B * a_y_B + s_B_per_phi_B * alpha_B
-        + s_B_per_x_D * a_x_D + s_B_per_y_D * a_y_D + s_B_per_x_F * a_x_F + s_B_per_y_F * a_y_F
-        + s_B_per_along_DE * centripetal_along_DE + s_B_per_along_FG * centripetal_along_FG;
-    q_second_rate(3) = s_C_per_x_B * a_x_B + s_C_per_y_B * a_y_B + s_C_per_phi_B * alpha_B
-        + s_C_per_x_D * a_x_D + s_C_per_y_D * a_y_D + s_C_per_x_F * a_x_F + s_C_per_y_F * a_y_F
-        + s_C_per_along_DE * centripetal_along_DE + s_C_per_along_FG * centripetal_along_FG;
+    q_second_rate(0) = s.DE_per_x_B * a_x_B + s.DE_per_y_B * a_y_B + s.DE_per_phi_B * alpha_B
+        + s.DE_per_x_D * a_x_D + s.DE_per_y_D * a_y_D + s.DE_per_x_F * a_x_F + s.DE_per_y_F * a_y_F
+        + s.inverse_DE * centripetal_across_DE + s.DE_per_along_DE * centripetal_along_DE
+        + s.DE_per_along_FG * centripetal_along_FG;
+    q_second_rate(1) = s.FG_per_x_B * a_x_B + s.FG_per_y_B * a_y_B + s.FG_per_phi_B * alpha_B
+        + s.FG_per_x_D * a_x_D + s.FG_per_y_D * a_y_D + s.FG_per_x_F * a_x_F + s.FG_per_y_F * a_y_F
+        + s.inverse_FG * centripetal_across_FG + s.FG_per_along_DE * centripetal_along_DE
+        + s.FG_per_along_FG * centripetal_along_FG;
+    q_second_rate(2) = s.s_B_per_x_B * a_x_B + s.s_B_per_y_B * a_y_B + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_x_D * a_x_D + s.s_B_per_y_D * a_y_D + s.s_B_per_x_F * a_x_F
+        + s.s_B_per_y_F * a_y_F + s.s_B_per_along_DE * centripetal_along_DE
+        + s.s_B_per_along_FG * centripetal_along_FG;
+    q_second_rate(3) = s.s_C_per_x_B * a_x_B + s.s_C_per_y_B * a_y_B + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_x_D * a_x_D + s.s_C_per_y_D * a_y_D + s.s_C_per_x_F * a_x_F
+        + s.s_C_per_y_F * a_y_F + s.s_C_per_along_DE * centripetal_along_DE
+        + s.s_C_per_along_FG * centripetal_along_FG;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -28,18 +28,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: link CEG does not close exactly one loop.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     21, 23, 0
 ///   jacobian:                     21, 15, 0
 ///   dimension_jacobian:           10, 6, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 4, 0
-///   acceleration_rhs:             42, 31, 0
-///   jerk_rhs:                     76, 47, 0
 ///   curvature_rhs:                71, 43, 0
 ///   link_poses:                   10, 8, 0
 ///   pose_jacobians:               6, 4, 0
@@ -48,9 +41,8 @@ namespace assur::triad {
 ///   pose_curvatures:              18, 9, 0
 ///   degeneracies:                 11, 14, 0
 ///   inverse_jacobian:             53, 21, 1
-///   sensitivities:                64, 36, 1
-///   velocity:                     40, 27, 1
 ///   motion:                       74, 51, 1
+///   sensitivities:                64, 36, 1
 ///   sensitivities_and_motion:     140, 92, 1
 ///   position_polynomial:          46, 30, 0
 ///   second_equations:             21, 22, 0
@@ -68,7 +60,7 @@ struct Model05 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 4;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -175,6 +167,99 @@ struct Model05 {
       {"RR-RP-RP", { 4, 5, 0, 1, 2, 3 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
+    const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
+    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
+        + q.theta_CEG.sin * q.theta_FG.sin;
+    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
+        - q.theta_CEG.cos * q.theta_FG.sin;
+    const Scalar t01 = d.h_C_CEG - d.h_C_BC;
+    const Scalar CEG_along_slide_E = t01 * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
+    const Scalar t02 = d.h_E_CEG - d.h_E_DE;
+    const Scalar CEG_across_slide_E = t01 * d.psi_E_CEG.cos - q.s_C * d.psi_E_CEG.sin - t02;
+    const Scalar CEG_along_FG = q.s_C * cos_CEG_minus_FG - t01 * sin_CEG_minus_FG;
+    const Scalar CEG_across_FG = t01 * cos_CEG_minus_FG + q.s_C * sin_CEG_minus_FG;
+    const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
+        - CEG_across_FG * d.psi_E_CEG.sin;
+    const Scalar pivot_product = d.FG * determinant;
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
+    const Scalar CEG_per_across_slide_E = inverse_determinant * cos_CEG_minus_FG;
+    const Scalar s_C_per_across_slide_E = CEG_across_FG * inverse_determinant;
+    const Scalar t03 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
+    const Scalar s_E_per_across_slide_E = t03 - CEG_across_slide_E * CEG_per_across_slide_E;
+    const Scalar FG_per_across_slide_E = -inverse_FG * (sin_CEG_minus_FG * s_C_per_across_slide_E
+        + CEG_per_across_slide_E * CEG_along_FG);
+    const Scalar CEG_per_along_FG = inverse_determinant * d.psi_E_CEG.sin;
+    const Scalar s_C_per_along_FG = CEG_along_slide_E * inverse_determinant;
+    const Scalar s_E_per_along_FG = d.psi_E_CEG.cos * s_C_per_along_FG
+        - CEG_across_slide_E * CEG_per_along_FG;
+    const Scalar t04 = sin_CEG_minus_FG * s_C_per_along_FG;
+    const Scalar FG_per_along_FG = -inverse_FG * (t04 + CEG_along_FG * CEG_per_along_FG);
+    const Scalar CEG_per_x_D = CEG_per_across_slide_E * sin_DE;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar FG_per_x_D = FG_per_across_slide_E * sin_DE;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_x_F = -q.theta_FG.cos * s_E_per_along_FG;
+    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * cos_DE;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar FG_per_y_D = -FG_per_across_slide_E * cos_DE;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
+    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
+    const Scalar t05 = CEG_per_across_slide_E * d.psi_E_CEG.cos
+        - CEG_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t06 = FG_per_across_slide_E * d.psi_E_CEG.cos + inverse_FG * cos_CEG_minus_FG
+        - FG_per_along_FG * sin_CEG_minus_FG;
+    const Scalar t07 = t03 - t04;
+    const Scalar t08 = d.psi_E_CEG.sin + sin_CEG_minus_FG * s_E_per_along_FG
+        - d.psi_E_CEG.cos * s_E_per_across_slide_E;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = -t05;  S_d(0, 1) = q.s_E * CEG_per_across_slide_E;
+      S_d(0, 2) = CEG_per_across_slide_E;  S_d(0, 3) = t05;  S_d(0, 4) = -CEG_per_across_slide_E;
+      S_d(0, 5) = -CEG_per_along_FG;
+      S_d(1, 0) = -t06;  S_d(1, 1) = q.s_E * FG_per_across_slide_E;
+      S_d(1, 2) = FG_per_across_slide_E;  S_d(1, 3) = t06;  S_d(1, 4) = -FG_per_across_slide_E;
+      S_d(1, 5) = -FG_per_along_FG;
+      S_d(2, 0) = -t07;  S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
+      S_d(2, 2) = s_C_per_across_slide_E;  S_d(2, 3) = t07;  S_d(2, 4) = -s_C_per_across_slide_E;
+      S_d(2, 5) = -s_C_per_along_FG;
+      S_d(3, 0) = t08;  S_d(3, 1) = q.s_E * s_E_per_across_slide_E + t02;
+      S_d(3, 2) = s_E_per_across_slide_E;  S_d(3, 3) = -t08;  S_d(3, 4) = -s_E_per_across_slide_E;
+      S_d(3, 5) = -s_E_per_along_FG;
+      S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_x_D;
+      S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;  S_u(0, 5) = CEG_per_y_F;
+      S_u(1, 0) = FG_per_x_B;  S_u(1, 1) = FG_per_y_B;  S_u(1, 2) = FG_per_x_D;
+      S_u(1, 3) = FG_per_y_D;  S_u(1, 4) = FG_per_x_F;  S_u(1, 5) = FG_per_y_F;
+      S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_x_D;
+      S_u(2, 3) = s_C_per_y_D;  S_u(2, 4) = s_C_per_x_F;  S_u(2, 5) = s_C_per_y_F;
+      S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_x_D;
+      S_u(3, 3) = s_E_per_y_D;  S_u(3, 4) = s_E_per_x_F;  S_u(3, 5) = s_E_per_y_F;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -246,93 +331,6 @@ struct Model05 {
     F_u(1, 1) = -Scalar(1);  F_u(1, 3) = Scalar(1);
     F_u(2, 0) = -Scalar(1);  F_u(2, 4) = Scalar(1);
     F_u(3, 1) = -Scalar(1);  F_u(3, 5) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
-    rhs(0) = v_x_B - v_x_D;  rhs(1) = v_y_B - v_y_D;  rhs(2) = v_x_B - v_x_F;
-    rhs(3) = v_y_B - v_y_F;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0), omega_FG = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3), a_x_F = u_second_rate(4), a_y_F = u_second_rate(5);
-    const Scalar t01 = q.theta_CEG.sin * d.psi_E_CEG.sin;
-    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin, DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE, BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos, slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin, t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
-    const Scalar CE_x = t03 * q.theta_CEG.sin - d.h_E_CEG * t02;
-    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01, slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE, FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin, CG_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos, t04 = q.theta_CEG.sin * v_s_C;
-    const Scalar t05 = BC_x - slide_C_x, t06 = q.theta_CEG.cos * v_s_C, t07 = BC_y - slide_C_y;
-    const Scalar t08 = omega_FG * omega_FG;
-    rhs(0) = a_x_B + omega_CEG * (Scalar(2) * t04 + (DE_x - CE_x - slide_E_x - t05) * omega_CEG
-        - Scalar(2) * sin_DE * v_s_E) - a_x_D;
-    rhs(1) = a_y_B - a_y_D - omega_CEG * (Scalar(2) * t06 - Scalar(2) * cos_DE * v_s_E - (DE_y
-        - CE_y - slide_E_y - t07) * omega_CEG);
-    rhs(2) = a_x_B + FG_x * t08 + omega_CEG * (Scalar(2) * t04 - (CG_x + t05) * omega_CEG) - a_x_F;
-    rhs(3) = a_y_B + FG_y * t08 - a_y_F - omega_CEG * (Scalar(2) * t06 + (CG_y + t07) * omega_CEG);
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), omega_FG = q_rate(1);
-    const Scalar alpha_FG = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), j_x_D = u_third_rate(2), j_y_D = u_third_rate(3);
-    const Scalar j_x_F = u_third_rate(4), j_y_F = u_third_rate(5);
-    const Scalar t01 = q.theta_CEG.sin * d.psi_E_CEG.sin;
-    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - t01;
-    const Scalar t02 = q.theta_CEG.cos * d.psi_E_CEG.sin;
-    const Scalar sin_DE = t02 + d.psi_E_CEG.cos * q.theta_CEG.sin, DE_x = -d.h_E_DE * sin_DE;
-    const Scalar DE_y = d.h_E_DE * cos_DE, BC_x = -d.h_C_BC * q.theta_CEG.sin;
-    const Scalar BC_y = d.h_C_BC * q.theta_CEG.cos, slide_C_x = q.s_C * q.theta_CEG.cos;
-    const Scalar slide_C_y = q.s_C * q.theta_CEG.sin, t03 = d.h_C_CEG - d.h_E_CEG * d.psi_E_CEG.cos;
-    const Scalar CE_x = t03 * q.theta_CEG.sin - d.h_E_CEG * t02;
-    const Scalar CE_y = -t03 * q.theta_CEG.cos - d.h_E_CEG * t01, slide_E_x = q.s_E * cos_DE;
-    const Scalar slide_E_y = q.s_E * sin_DE, FG_x = d.FG * q.theta_FG.cos;
-    const Scalar FG_y = d.FG * q.theta_FG.sin, CG_x = d.h_C_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = -d.h_C_CEG * q.theta_CEG.cos, t04 = q.theta_CEG.sin * v_s_C;
-    const Scalar t05 = t04 - sin_DE * v_s_E, t06 = q.theta_CEG.sin * a_s_C;
-    const Scalar t07 = q.theta_CEG.cos * v_s_C, t08 = t07 - cos_DE * v_s_E, t09 = BC_y - slide_C_y;
-    const Scalar t10 = DE_y - CE_y - slide_E_y - t09, t11 = BC_x - slide_C_x;
-    const Scalar t12 = DE_x - CE_x - slide_E_x - t11, t13 = q.theta_CEG.cos * a_s_C;
-    const Scalar t14 = omega_FG * omega_FG, t15 = CG_y + t09, t16 = CG_x + t11;
-    rhs(0) = Scalar(3) * alpha_CEG * t05 + j_x_B + omega_CEG * (Scalar(3) * t06
-        + omega_CEG * (Scalar(3) * t08 - t10 * omega_CEG) + Scalar(3) * t12 * alpha_CEG
-        - Scalar(3) * sin_DE * a_s_E) - j_x_D;
-    rhs(1) = j_y_B - Scalar(3) * t08 * alpha_CEG - j_y_D - omega_CEG * (Scalar(3) * t13
-        - Scalar(3) * cos_DE * a_s_E - Scalar(3) * t10 * alpha_CEG - omega_CEG * (Scalar(3) * t05
-        + t12 * omega_CEG));
-    rhs(2) = j_x_B + Scalar(3) * alpha_CEG * t04 + omega_FG * (Scalar(3) * FG_x * alpha_FG
-        - FG_y * t14) + omega_CEG * (Scalar(3) * t06 + omega_CEG * (Scalar(3) * t07
-        + t15 * omega_CEG) - Scalar(3) * t16 * alpha_CEG) - j_x_F;
-    rhs(3) = j_y_B + omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t14) - j_y_F
-        - Scalar(3) * t07 * alpha_CEG - omega_CEG * (Scalar(3) * t13 + Scalar(3) * t15 * alpha_CEG
-        - omega_CEG * (Scalar(3) * t04 - t16 * omega_CEG));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -563,132 +561,6 @@ struct Model05 {
     J_inverse(3, 3) = q.theta_FG.sin * s_E_per_along_FG;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
-    const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
-        + q.theta_CEG.sin * q.theta_FG.sin;
-    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
-        - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar CEG_along_slide_E = t01 * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
-    const Scalar t02 = d.h_E_CEG - d.h_E_DE;
-    const Scalar CEG_across_slide_E = t01 * d.psi_E_CEG.cos - q.s_C * d.psi_E_CEG.sin - t02;
-    const Scalar CEG_along_FG = q.s_C * cos_CEG_minus_FG - t01 * sin_CEG_minus_FG;
-    const Scalar CEG_across_FG = t01 * cos_CEG_minus_FG + q.s_C * sin_CEG_minus_FG;
-    const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
-        - CEG_across_FG * d.psi_E_CEG.sin;
-    const Scalar pivot_product = d.FG * determinant;
-    // A zero divisor means a dead centre, or FG = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_E = inverse_determinant * cos_CEG_minus_FG;
-    const Scalar s_C_per_across_slide_E = CEG_across_FG * inverse_determinant;
-    const Scalar t03 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = t03 - CEG_across_slide_E * CEG_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = -inverse_FG * (sin_CEG_minus_FG * s_C_per_across_slide_E
-        + CEG_per_across_slide_E * CEG_along_FG);
-    const Scalar CEG_per_along_FG = inverse_determinant * d.psi_E_CEG.sin;
-    const Scalar s_C_per_along_FG = CEG_along_slide_E * inverse_determinant;
-    const Scalar s_E_per_along_FG = d.psi_E_CEG.cos * s_C_per_along_FG
-        - CEG_across_slide_E * CEG_per_along_FG;
-    const Scalar t04 = sin_CEG_minus_FG * s_C_per_along_FG;
-    const Scalar FG_per_along_FG = -inverse_FG * (t04 + CEG_along_FG * CEG_per_along_FG);
-    const Scalar CEG_per_x_D = CEG_per_across_slide_E * sin_DE;
-    const Scalar FG_per_x_D = FG_per_across_slide_E * sin_DE;
-    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
-    const Scalar s_E_per_x_D = cos_DE + s_E_per_across_slide_E * sin_DE;
-    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * cos_DE;
-    const Scalar FG_per_y_D = -FG_per_across_slide_E * cos_DE;
-    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
-    const Scalar s_E_per_y_D = sin_DE - s_E_per_across_slide_E * cos_DE;
-    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar s_E_per_x_F = -q.theta_FG.cos * s_E_per_along_FG;
-    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
-    const Scalar t05 = CEG_per_across_slide_E * d.psi_E_CEG.cos
-        - CEG_per_along_FG * sin_CEG_minus_FG;
-    const Scalar t06 = FG_per_across_slide_E * d.psi_E_CEG.cos + inverse_FG * cos_CEG_minus_FG
-        - FG_per_along_FG * sin_CEG_minus_FG;
-    const Scalar t07 = t03 - t04;
-    const Scalar t08 = d.psi_E_CEG.sin + sin_CEG_minus_FG * s_E_per_along_FG
-        - d.psi_E_CEG.cos * s_E_per_across_slide_E;
-    S_d(0, 0) = -t05;  S_d(0, 1) = q.s_E * CEG_per_across_slide_E;
-    S_d(0, 2) = CEG_per_across_slide_E;  S_d(0, 3) = t05;  S_d(0, 4) = -CEG_per_across_slide_E;
-    S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = -t06;  S_d(1, 1) = q.s_E * FG_per_across_slide_E;
-    S_d(1, 2) = FG_per_across_slide_E;  S_d(1, 3) = t06;  S_d(1, 4) = -FG_per_across_slide_E;
-    S_d(1, 5) = -FG_per_along_FG;
-    S_d(2, 0) = -t07;  S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
-    S_d(2, 2) = s_C_per_across_slide_E;  S_d(2, 3) = t07;  S_d(2, 4) = -s_C_per_across_slide_E;
-    S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t08;  S_d(3, 1) = q.s_E * s_E_per_across_slide_E + t02;
-    S_d(3, 2) = s_E_per_across_slide_E;  S_d(3, 3) = -t08;  S_d(3, 4) = -s_E_per_across_slide_E;
-    S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
-    S_u(0, 2) = CEG_per_x_D;  S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;
-    S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;  S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
-    S_u(1, 2) = FG_per_x_D;  S_u(1, 3) = FG_per_y_D;  S_u(1, 4) = FG_per_x_F;
-    S_u(1, 5) = FG_per_y_F;
-    S_u(2, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(2, 1) = -s_C_per_y_D - s_C_per_y_F;
-    S_u(2, 2) = s_C_per_x_D;  S_u(2, 3) = s_C_per_y_D;  S_u(2, 4) = s_C_per_x_F;
-    S_u(2, 5) = s_C_per_y_F;
-    S_u(3, 0) = -s_E_per_x_D - s_E_per_x_F;  S_u(3, 1) = -s_E_per_y_D - s_E_per_y_F;
-    S_u(3, 2) = s_E_per_x_D;  S_u(3, 3) = s_E_per_y_D;  S_u(3, 4) = s_E_per_x_F;
-    S_u(3, 5) = s_E_per_y_F;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
-    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
-    const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
-        + q.theta_CEG.sin * q.theta_FG.sin;
-    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
-        - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar CEG_along_slide_E = t01 * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
-    const Scalar CEG_across_slide_E = t01 * d.psi_E_CEG.cos + d.h_E_DE - q.s_C * d.psi_E_CEG.sin
-        - d.h_E_CEG;
-    const Scalar CEG_along_FG = q.s_C * cos_CEG_minus_FG - t01 * sin_CEG_minus_FG;
-    const Scalar CEG_across_FG = t01 * cos_CEG_minus_FG + q.s_C * sin_CEG_minus_FG;
-    const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
-        - CEG_across_FG * d.psi_E_CEG.sin;
-    const Scalar pivot_product = d.FG * determinant;
-    // A zero divisor means a dead centre, or FG = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
-    const Scalar t02 = v_x_B - v_x_D, t03 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_E = cos_DE * t02 + sin_DE * t03;
-    const Scalar velocity_across_slide_E = cos_DE * t03 - sin_DE * t02, t04 = v_x_B - v_x_F;
-    const Scalar t05 = v_y_B - v_y_F;
-    const Scalar velocity_along_FG = q.theta_FG.cos * t04 + q.theta_FG.sin * t05;
-    const Scalar velocity_across_FG = q.theta_FG.cos * t05 - q.theta_FG.sin * t04;
-    const Scalar omega_CEG = inverse_determinant * (d.psi_E_CEG.sin * velocity_along_FG
-        + cos_CEG_minus_FG * velocity_across_slide_E);
-    const Scalar v_s_C = inverse_determinant * (CEG_along_slide_E * velocity_along_FG
-        + CEG_across_FG * velocity_across_slide_E);
-    const Scalar v_s_E = d.psi_E_CEG.cos * v_s_C - CEG_across_slide_E * omega_CEG
-        - velocity_along_slide_E;
-    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG + sin_CEG_minus_FG * v_s_C
-        - velocity_across_FG);
-    q_rate(0) = omega_CEG;  q_rate(1) = omega_FG;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -755,132 +627,63 @@ struct Model05 {
     q_second_rate(3) = a_s_E;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
-  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
     const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3), v_x_F = u_rate(4);
     const Scalar a_x_F = u_second_rate(4), v_y_F = u_rate(5), a_y_F = u_second_rate(5);
-    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
-    const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
-        + q.theta_CEG.sin * q.theta_FG.sin;
-    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
-        - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.h_C_BC;
-    const Scalar CEG_along_slide_E = t01 * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
-    const Scalar t02 = d.h_E_CEG - d.h_E_DE;
-    const Scalar CEG_across_slide_E = t01 * d.psi_E_CEG.cos - q.s_C * d.psi_E_CEG.sin - t02;
-    const Scalar CEG_along_FG = q.s_C * cos_CEG_minus_FG - t01 * sin_CEG_minus_FG;
-    const Scalar CEG_across_FG = t01 * cos_CEG_minus_FG + q.s_C * sin_CEG_minus_FG;
-    const Scalar determinant = CEG_along_slide_E * cos_CEG_minus_FG
-        - CEG_across_FG * d.psi_E_CEG.sin;
-    const Scalar pivot_product = d.FG * determinant;
-    // A zero divisor means a dead centre, or FG = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_E = inverse_determinant * cos_CEG_minus_FG;
-    const Scalar s_C_per_across_slide_E = CEG_across_FG * inverse_determinant;
-    const Scalar t03 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = t03 - CEG_across_slide_E * CEG_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = -inverse_FG * (sin_CEG_minus_FG * s_C_per_across_slide_E
-        + CEG_per_across_slide_E * CEG_along_FG);
-    const Scalar CEG_per_along_FG = inverse_determinant * d.psi_E_CEG.sin;
-    const Scalar s_C_per_along_FG = CEG_along_slide_E * inverse_determinant;
-    const Scalar s_E_per_along_FG = d.psi_E_CEG.cos * s_C_per_along_FG
-        - CEG_across_slide_E * CEG_per_along_FG;
-    const Scalar t04 = sin_CEG_minus_FG * s_C_per_along_FG;
-    const Scalar FG_per_along_FG = -inverse_FG * (t04 + CEG_along_FG * CEG_per_along_FG);
-    const Scalar CEG_per_x_D = CEG_per_across_slide_E * sin_DE;
-    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
-    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
-    const Scalar FG_per_x_D = FG_per_across_slide_E * sin_DE;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
-    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
-    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
-    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
-    const Scalar s_E_per_x_F = -q.theta_FG.cos * s_E_per_along_FG;
-    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
-    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * cos_DE;
-    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
-    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
-    const Scalar FG_per_y_D = -FG_per_across_slide_E * cos_DE;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
-    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
-    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
-    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
-    const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
-    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
-    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_x_D * v_x_D
-        + CEG_per_y_D * v_y_D + CEG_per_x_F * v_x_F + CEG_per_y_F * v_y_F;
-    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_x_D * v_x_D
-        + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
-    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_x_D * v_x_D
-        + s_C_per_y_D * v_y_D + s_C_per_x_F * v_x_F + s_C_per_y_F * v_y_F;
-    const Scalar v_s_E = s_E_per_x_B * v_x_B + s_E_per_y_B * v_y_B + s_E_per_x_D * v_x_D
-        + s_E_per_y_D * v_y_D + s_E_per_x_F * v_x_F + s_E_per_y_F * v_y_F;
+    const Scalar omega_CEG = s.CEG_per_x_B * v_x_B + s.CEG_per_y_B * v_y_B + s.CEG_per_x_D * v_x_D
+        + s.CEG_per_y_D * v_y_D + s.CEG_per_x_F * v_x_F + s.CEG_per_y_F * v_y_F;
+    const Scalar omega_FG = s.FG_per_x_B * v_x_B + s.FG_per_y_B * v_y_B + s.FG_per_x_D * v_x_D
+        + s.FG_per_y_D * v_y_D + s.FG_per_x_F * v_x_F + s.FG_per_y_F * v_y_F;
+    const Scalar v_s_C = s.s_C_per_x_B * v_x_B + s.s_C_per_y_B * v_y_B + s.s_C_per_x_D * v_x_D
+        + s.s_C_per_y_D * v_y_D + s.s_C_per_x_F * v_x_F + s.s_C_per_y_F * v_y_F;
+    const Scalar v_s_E = s.s_E_per_x_B * v_x_B + s.s_E_per_y_B * v_y_B + s.s_E_per_x_D * v_x_D
+        + s.s_E_per_y_D * v_y_D + s.s_E_per_x_F * v_x_F + s.s_E_per_y_F * v_y_F;
     const Scalar centripetal_along_slide_E = -omega_CEG * (Scalar(2) * d.psi_E_CEG.sin * v_s_C
-        - CEG_along_slide_E * omega_CEG);
+        - s.CEG_along_slide_E * omega_CEG);
     const Scalar centripetal_across_slide_E = -omega_CEG * (Scalar(2) * d.psi_E_CEG.cos * v_s_C
-        - CEG_across_slide_E * omega_CEG - Scalar(2) * v_s_E);
-    const Scalar centripetal_along_FG = omega_CEG * (CEG_along_FG * omega_CEG
-        + Scalar(2) * sin_CEG_minus_FG * v_s_C) + d.FG * omega_FG * omega_FG;
-    const Scalar centripetal_across_FG = omega_CEG * (CEG_across_FG * omega_CEG
-        - Scalar(2) * cos_CEG_minus_FG * v_s_C);
-    const Scalar t05 = CEG_per_across_slide_E * d.psi_E_CEG.cos
-        - CEG_per_along_FG * sin_CEG_minus_FG;
-    const Scalar t06 = FG_per_across_slide_E * d.psi_E_CEG.cos + inverse_FG * cos_CEG_minus_FG
-        - FG_per_along_FG * sin_CEG_minus_FG;
-    const Scalar t07 = t03 - t04;
-    const Scalar t08 = d.psi_E_CEG.sin + sin_CEG_minus_FG * s_E_per_along_FG
-        - d.psi_E_CEG.cos * s_E_per_across_slide_E;
-    S_d(0, 0) = -t05;  S_d(0, 1) = q.s_E * CEG_per_across_slide_E;
-    S_d(0, 2) = CEG_per_across_slide_E;  S_d(0, 3) = t05;  S_d(0, 4) = -CEG_per_across_slide_E;
-    S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = -t06;  S_d(1, 1) = q.s_E * FG_per_across_slide_E;
-    S_d(1, 2) = FG_per_across_slide_E;  S_d(1, 3) = t06;  S_d(1, 4) = -FG_per_across_slide_E;
-    S_d(1, 5) = -FG_per_along_FG;
-    S_d(2, 0) = -t07;  S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
-    S_d(2, 2) = s_C_per_across_slide_E;  S_d(2, 3) = t07;  S_d(2, 4) = -s_C_per_across_slide_E;
-    S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t08;  S_d(3, 1) = q.s_E * s_E_per_across_slide_E + t02;
-    S_d(3, 2) = s_E_per_across_slide_E;  S_d(3, 3) = -t08;  S_d(3, 4) = -s_E_per_across_slide_E;
-    S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_x_D;
-    S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;  S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = FG_per_x_B;  S_u(1, 1) = FG_per_y_B;  S_u(1, 2) = FG_per_x_D;
-    S_u(1, 3) = FG_per_y_D;  S_u(1, 4) = FG_per_x_F;  S_u(1, 5) = FG_per_y_F;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_x_D;
-    S_u(2, 3) = s_C_per_y_D;  S_u(2, 4) = s_C_per_x_F;  S_u(2, 5) = s_C_per_y_F;
-    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_x_D;
-    S_u(3, 3) = s_E_per_y_D;  S_u(3, 4) = s_E_per_x_F;  S_u(3, 5) = s_E_per_y_F;
+        - s.CEG_across_slide_E * omega_CEG - Scalar(2) * v_s_E);
+    const Scalar centripetal_along_FG = omega_CEG * (s.CEG_along_FG * omega_CEG
+        + Scalar(2) * s.sin_CEG_minus_FG * v_s_C) + d.FG * omega_FG * omega_FG;
+    const Scalar centripetal_across_FG = omega_CEG * (s.CEG_across_FG * omega_CEG
+        - Scalar(2) * s.cos_CEG_minus_FG * v_s_C);
     q_rate(0) = omega_CEG;  q_rate(1) = omega_FG;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
-    q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_x_D * a_x_D
-        + CEG_per_y_D * a_y_D + CEG_per_x_F * a_x_F + CEG_per_y_F * a_y_F
-        + CEG_per_across_slide_E * centripetal_across_slide_E
-        + CEG_per_along_FG * centripetal_along_FG;
-    q_second_rate(1) = FG_per_x_B * a_x_B + FG_per_y_B * a_y_B + FG_per_x_D * a_x_D
-        + FG_per_y_D * a_y_D + FG_per_x_F * a_x_F + FG_per_y_F * a_y_F
-        + inverse_FG * centripetal_across_FG + FG_per_across_slide_E * centripetal_across_slide_E
-        + FG_per_along_FG * centripetal_along_FG;
-    q_second_rate(2) = s_C_per_x_B * a_x_B + s_C_per_y_B * a_y_B + s_C_per_x_D * a_x_D
-        + s_C_per_y_D * a_y_D + s_C_per_x_F * a_x_F + s_C_per_y_F * a_y_F
-        + s_C_per_across_slide_E * centripetal_across_slide_E
-        + s_C_per_along_FG * centripetal_along_FG;
-    q_second_rate(3) = s_E_per_x_B * a_x_B + s_E_per_y_B * a_y_B + s_E_per_x_D * a_x_D
-        + s_E_per_y_D * a_y_D + s_E_per_x_F * a_x_F + s_E_per_y_F * a_y_F
-        + s_E_per_across_slide_E * centripetal_across_slide_E
-        + s_E_per_along_FG * centripetal_along_FG - centripetal_along_slide_E;
+    q_second_rate(0) = s.CEG_per_x_B * a_x_B + s.CEG_per_y_B * a_y_B + s.CEG_per_x_D * a_x_D
+        + s.CEG_per_y_D * a_y_D + s.CEG_per_x_F * a_x_F + s.CEG_per_y_F * a_y_F
+        + s.CEG_per_across_slide_E * centripetal_across_slide_E
+        + s.CEG_per_along_FG * centripetal_along_FG;
+    q_second_rate(1) = s.FG_per_x_B * a_x_B + s.FG_per_y_B * a_y_B + s.FG_per_x_D * a_x_D
+        + s.FG_per_y_D * a_y_D + s.FG_per_x_F * a_x_F + s.FG_per_y_F * a_y_F
+        + s.inverse_FG * centripetal_across_FG
+        + s.FG_per_across_slide_E * centripetal_across_slide_E
+        + s.FG_per_along_FG * centripetal_along_FG;
+    q_second_rate(2) = s.s_C_per_x_B * a_x_B + s.s_C_per_y_B * a_y_B + s.s_C_per_x_D * a_x_D
+        + s.s_C_per_y_D * a_y_D + s.s_C_per_x_F * a_x_F + s.s_C_per_y_F * a_y_F
+        + s.s_C_per_across_slide_E * centripetal_across_slide_E
+        + s.s_C_per_along_FG * centripetal_along_FG;
+    q_second_rate(3) = s.s_E_per_x_B * a_x_B + s.s_E_per_y_B * a_y_B + s.s_E_per_x_D * a_x_D
+        + s.s_E_per_y_D * a_y_D + s.s_E_per_x_F * a_x_F + s.s_E_per_y_F * a_y_F
+        + s.s_E_per_across_slide_E * centripetal_across_slide_E
+        + s.s_E_per_along_FG * centripetal_along_FG - centripetal_along_slide_E;
   }
 
   /// The final polynomial T in theta_CEG, free of all other unknowns:

@@ -28,18 +28,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: link CEG does not close exactly one loop.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     22, 24, 0
 ///   jacobian:                     10, 4, 0
 ///   dimension_jacobian:           18, 16, 0
 ///   input_jacobian:               20, 16, 0
-///   velocity_rhs:                 24, 24, 0
-///   acceleration_rhs:             49, 38, 0
-///   jerk_rhs:                     85, 56, 0
 ///   curvature_rhs:                101, 70, 0
 ///   link_poses:                   14, 10, 0
 ///   pose_jacobians:               10, 6, 0
@@ -48,9 +41,8 @@ namespace assur::triad {
 ///   pose_curvatures:              38, 20, 0
 ///   degeneracies:                 10, 8, 0
 ///   inverse_jacobian:             61, 19, 1
-///   sensitivities:                106, 61, 1
-///   velocity:                     64, 40, 1
 ///   motion:                       104, 70, 1
+///   sensitivities:                106, 61, 1
 ///   sensitivities_and_motion:     198, 129, 1
 ///   position_polynomial:          46, 31, 0
 ///   second_equations:             29, 26, 0
@@ -68,7 +60,7 @@ struct Model07 {
   static constexpr int input_count = 7;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 1;  ///< index of the final polynomial's unknown
@@ -194,6 +186,137 @@ struct Model07 {
       {"RR-RP-PP", { 4, 5, 2, 3, 0, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
+        - d.psi_C_BC.sin * d.psi_E_CEG.sin;
+    const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
+        - d.psi_C_BC.cos * d.psi_E_CEG.sin;
+    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
+    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
+    const Scalar cos_phi_B_plus_psi_C_BC_minus_FG = q.theta_FG.cos * cos_CEG
+        + q.theta_FG.sin * sin_CEG;
+    const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = q.theta_FG.cos * sin_CEG
+        - q.theta_FG.sin * cos_CEG;
+    const Scalar t01 = d.h_C_CEG * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
+    const Scalar phi_B_along_slide_E = t01 - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG;
+    const Scalar t02 = d.h_E_CEG - d.h_E_DE;
+    const Scalar phi_B_across_slide_E = d.h_C_CEG * d.psi_E_CEG.cos
+        - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG - q.s_C * d.psi_E_CEG.sin - t02;
+    const Scalar phi_B_along_FG = q.s_C * cos_phi_B_plus_psi_C_BC_minus_FG
+        - q.s_B * cos_phi_B_minus_FG - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar t03 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_FG
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar phi_B_across_FG = t03 - q.s_B * sin_phi_B_minus_FG;
+    const Scalar cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = q.theta_FG.cos * cos_DE
+        + q.theta_FG.sin * sin_DE;
+    const Scalar t04 = d.FG * d.psi_C_BC.sin;
+    const Scalar pivot_product = t04 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
+    // A zero divisor means cos(phi_B + psi_C_BC + psi_E_CEG - theta_FG) = 0, or sin(psi_C_BC) = 0,
+    //     or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t04;
+    const Scalar t05 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t05, inverse_FG = t05 * d.psi_C_BC.sin;
+    const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG *
+        inverse_sin_psi_C_BC;
+    const Scalar s_B_per_across_slide_E = cos_phi_B_plus_psi_C_BC_minus_FG * t06;
+    const Scalar s_C_per_across_slide_E = cos_phi_B_minus_FG * t06;
+    const Scalar t07 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
+    const Scalar s_E_per_across_slide_E = t07
+        - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_E;
+    const Scalar FG_per_across_slide_E = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_E
+        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_E);
+    const Scalar s_B_per_along_FG = d.psi_E_CEG.sin * t06;
+    const Scalar s_C_per_along_FG = -sin_minus_psi_C_BC_minus_psi_E_CEG * t06;
+    const Scalar s_E_per_along_FG = d.psi_E_CEG.cos * s_C_per_along_FG
+        - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_along_FG;
+    const Scalar t08 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
+    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t08);
+    const Scalar FG_per_x_D = FG_per_across_slide_E * sin_DE;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_B_per_x_D = sin_DE * s_B_per_across_slide_E;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_C_per_x_D = sin_DE * s_C_per_across_slide_E;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_x_F = -q.theta_FG.cos * s_E_per_along_FG;
+    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
+    const Scalar FG_per_y_D = -FG_per_across_slide_E * cos_DE;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_B_per_y_D = -cos_DE * s_B_per_across_slide_E;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_C_per_y_D = -cos_DE * s_C_per_across_slide_E;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
+    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
+    const Scalar FG_per_phi_B = FG_per_along_FG * phi_B_across_FG
+        - FG_per_across_slide_E * phi_B_along_slide_E - inverse_FG * phi_B_along_FG;
+    const Scalar s_B_per_phi_B = phi_B_across_FG * s_B_per_along_FG
+        - phi_B_along_slide_E * s_B_per_across_slide_E;
+    const Scalar s_C_per_phi_B = phi_B_across_FG * s_C_per_along_FG
+        - phi_B_along_slide_E * s_C_per_across_slide_E;
+    const Scalar s_E_per_phi_B = phi_B_across_FG * s_E_per_along_FG
+        - phi_B_along_slide_E * s_E_per_across_slide_E - phi_B_across_slide_E;
+    const Scalar t09 = FG_per_across_slide_E * d.psi_E_CEG.cos
+        + inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar t10 = q.s_E * FG_per_across_slide_E;
+    const Scalar t11 = d.psi_E_CEG.sin + sin_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG
+        - d.psi_E_CEG.cos * s_E_per_across_slide_E;
+    const Scalar t12 = q.s_E * s_E_per_across_slide_E + t02;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = -t09;  S_d(0, 1) = t10;  S_d(0, 2) = FG_per_across_slide_E;
+      S_d(0, 3) = t10 - q.s_C * t09 - d.h_C_CEG * (FG_per_across_slide_E * d.psi_E_CEG.sin
+          - FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+          - inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG);
+      S_d(0, 4) = -FG_per_across_slide_E;  S_d(0, 5) = -FG_per_along_FG;
+      S_d(1, 0) = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG
+          - d.psi_E_CEG.cos * s_B_per_across_slide_E;
+      S_d(1, 1) = q.s_E * s_B_per_across_slide_E;  S_d(1, 2) = s_B_per_across_slide_E;
+      S_d(1, 3) = t03 * s_B_per_along_FG - t01 * s_B_per_across_slide_E;
+      S_d(1, 4) = -s_B_per_across_slide_E;  S_d(1, 5) = -s_B_per_along_FG;
+      S_d(2, 0) = t08 - t07;  S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
+      S_d(2, 2) = s_C_per_across_slide_E;
+      S_d(2, 3) = t03 * s_C_per_along_FG - t01 * s_C_per_across_slide_E;
+      S_d(2, 4) = -s_C_per_across_slide_E;  S_d(2, 5) = -s_C_per_along_FG;
+      S_d(3, 0) = t11;  S_d(3, 1) = t12;  S_d(3, 2) = s_E_per_across_slide_E;
+      S_d(3, 3) = q.s_C * t11 + t12 - d.h_C_CEG * (d.psi_E_CEG.cos
+          + d.psi_E_CEG.sin * s_E_per_across_slide_E
+          - cos_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG);
+      S_d(3, 4) = -s_E_per_across_slide_E;  S_d(3, 5) = -s_E_per_along_FG;
+      S_u(0, 0) = FG_per_x_B;  S_u(0, 1) = FG_per_y_B;  S_u(0, 2) = FG_per_phi_B;
+      S_u(0, 3) = FG_per_x_D;  S_u(0, 4) = FG_per_y_D;  S_u(0, 5) = FG_per_x_F;
+      S_u(0, 6) = FG_per_y_F;
+      S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+      S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_x_F;
+      S_u(1, 6) = s_B_per_y_F;
+      S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
+      S_u(2, 3) = s_C_per_x_D;  S_u(2, 4) = s_C_per_y_D;  S_u(2, 5) = s_C_per_x_F;
+      S_u(2, 6) = s_C_per_y_F;
+      S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
+      S_u(3, 3) = s_E_per_x_D;  S_u(3, 4) = s_E_per_y_D;  S_u(3, 5) = s_E_per_x_F;
+      S_u(3, 6) = s_E_per_y_F;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -272,112 +395,6 @@ struct Model07 {
     F_u(1, 1) = -Scalar(1);  F_u(1, 2) = DE_x - CE_x - slide_E_x - t02;  F_u(1, 4) = Scalar(1);
     F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + t01;  F_u(2, 5) = Scalar(1);
     F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -CG_x - t02;  F_u(3, 6) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
-    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG, CE_x = CG_x - d.h_E_CEG * sin_DE;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG, CE_y = CG_y + d.h_E_CEG * cos_DE;
-    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE;
-    const Scalar t01 = slide_B_y - slide_C_y, t02 = slide_B_x - slide_C_x;
-    rhs(0) = v_x_B + (DE_y - CE_y - slide_E_y - t01) * omega_B - v_x_D;
-    rhs(1) = v_y_B - v_y_D - (DE_x - CE_x - slide_E_x - t02) * omega_B;
-    rhs(2) = v_x_B - v_x_F - (CG_y + t01) * omega_B;
-    rhs(3) = v_y_B + (CG_x + t02) * omega_B - v_y_F;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_E = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
-    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG, CE_x = CG_x - d.h_E_CEG * sin_DE;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG, CE_y = CG_y + d.h_E_CEG * cos_DE;
-    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t02 = slide_B_x - slide_C_x;
-    const Scalar t03 = DE_x - CE_x - slide_E_x - t02, t04 = slide_B_y - slide_C_y;
-    const Scalar t05 = DE_y - CE_y - slide_E_y - t04, t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t07 = omega_FG * omega_FG, t08 = CG_x + t02, t09 = CG_y + t04;
-    rhs(0) = a_x_B + t05 * alpha_B - a_x_D - omega_B * (Scalar(2) * sin_DE * v_s_E + Scalar(2) * t01
-        - t03 * omega_B);
-    rhs(1) = a_y_B + omega_B * (Scalar(2) * cos_DE * v_s_E + Scalar(2) * t06 + t05 * omega_B)
-        - a_y_D - t03 * alpha_B;
-    rhs(2) = a_x_B + FG_x * t07 - a_x_F - omega_B * (Scalar(2) * t01 + t08 * omega_B)
-        - t09 * alpha_B;
-    rhs(3) = a_y_B + FG_y * t07 + t08 * alpha_B + omega_B * (Scalar(2) * t06 - t09 * omega_B)
-        - a_y_F;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0), alpha_FG = q_second_rate(0), v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
-    const Scalar j_x_F = u_third_rate(5), j_y_F = u_third_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
-    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG, CE_x = CG_x - d.h_E_CEG * sin_DE;
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG, CE_y = CG_y + d.h_E_CEG * cos_DE;
-    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t02 = sin_DE * v_s_E + t01;
-    const Scalar t03 = slide_B_y - slide_C_y, t04 = DE_y - CE_y - slide_E_y - t03;
-    const Scalar t05 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t07 = cos_DE * v_s_E + t06;
-    const Scalar t08 = slide_B_x - slide_C_x, t09 = DE_x - CE_x - slide_E_x - t08;
-    const Scalar t10 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C, t11 = omega_FG * omega_FG;
-    const Scalar t12 = CG_y + t03, t13 = CG_x + t08;
-    rhs(0) = j_x_B + t04 * jerk_B - j_x_D - Scalar(3) * alpha_B * t02
-        - omega_B * (Scalar(3) * sin_DE * a_s_E + Scalar(3) * t05 + omega_B * (Scalar(3) * t07
-        + t04 * omega_B) - Scalar(3) * t09 * alpha_B);
-    rhs(1) = j_y_B + Scalar(3) * alpha_B * t07 + omega_B * (Scalar(3) * cos_DE * a_s_E
-        + Scalar(3) * t10 + Scalar(3) * t04 * alpha_B - omega_B * (Scalar(3) * t02 - t09 * omega_B))
-        - j_y_D - t09 * jerk_B;
-    rhs(2) = j_x_B + omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t11)
-        - Scalar(3) * alpha_B * t01 - j_x_F - t12 * jerk_B - omega_B * (Scalar(3) * t05
-        + omega_B * (Scalar(3) * t06 - t12 * omega_B) + Scalar(3) * t13 * alpha_B);
-    rhs(3) = j_y_B + Scalar(3) * alpha_B * t06 + omega_FG * (Scalar(3) * FG_y * alpha_FG
-        + FG_x * t11) + t13 * jerk_B + omega_B * (Scalar(3) * t10 - Scalar(3) * t12 * alpha_B
-        - omega_B * (Scalar(3) * t01 + t13 * omega_B)) - j_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -644,184 +661,6 @@ struct Model07 {
     J_inverse(3, 3) = q.theta_FG.sin * s_E_per_along_FG;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
-    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
-        - d.psi_C_BC.sin * d.psi_E_CEG.sin;
-    const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
-        - d.psi_C_BC.cos * d.psi_E_CEG.sin;
-    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
-    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_FG = q.theta_FG.cos * cos_CEG
-        + q.theta_FG.sin * sin_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = q.theta_FG.cos * sin_CEG
-        - q.theta_FG.sin * cos_CEG;
-    const Scalar t01 = d.h_C_CEG * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
-    const Scalar phi_B_along_slide_E = t01 - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG;
-    const Scalar t02 = d.h_E_CEG - d.h_E_DE;
-    const Scalar phi_B_across_slide_E = d.h_C_CEG * d.psi_E_CEG.cos
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG - q.s_C * d.psi_E_CEG.sin - t02;
-    const Scalar phi_B_along_FG = q.s_C * cos_phi_B_plus_psi_C_BC_minus_FG
-        - q.s_B * cos_phi_B_minus_FG - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar t03 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_FG
-        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar phi_B_across_FG = t03 - q.s_B * sin_phi_B_minus_FG;
-    const Scalar cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = q.theta_FG.cos * cos_DE
-        + q.theta_FG.sin * sin_DE;
-    const Scalar t04 = d.FG * d.psi_C_BC.sin;
-    const Scalar pivot_product = t04 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    // A zero divisor means cos(phi_B + psi_C_BC + psi_E_CEG - theta_FG) = 0, or sin(psi_C_BC) = 0,
-    //     or FG = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t04;
-    const Scalar t05 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t05, inverse_FG = t05 * d.psi_C_BC.sin;
-    const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG *
-        inverse_sin_psi_C_BC;
-    const Scalar s_B_per_across_slide_E = cos_phi_B_plus_psi_C_BC_minus_FG * t06;
-    const Scalar s_C_per_across_slide_E = cos_phi_B_minus_FG * t06;
-    const Scalar t07 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = t07
-        - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_E
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_E);
-    const Scalar s_B_per_along_FG = d.psi_E_CEG.sin * t06;
-    const Scalar s_C_per_along_FG = -sin_minus_psi_C_BC_minus_psi_E_CEG * t06;
-    const Scalar s_E_per_along_FG = d.psi_E_CEG.cos * s_C_per_along_FG
-        - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_along_FG;
-    const Scalar t08 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t08);
-    const Scalar FG_per_x_D = FG_per_across_slide_E * sin_DE;
-    const Scalar s_B_per_x_D = sin_DE * s_B_per_across_slide_E;
-    const Scalar s_C_per_x_D = sin_DE * s_C_per_across_slide_E;
-    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
-    const Scalar FG_per_y_D = -FG_per_across_slide_E * cos_DE;
-    const Scalar s_B_per_y_D = -cos_DE * s_B_per_across_slide_E;
-    const Scalar s_C_per_y_D = -cos_DE * s_C_per_across_slide_E;
-    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar s_E_per_x_F = -q.theta_FG.cos * s_E_per_along_FG;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
-    const Scalar t09 = FG_per_across_slide_E * d.psi_E_CEG.cos
-        + inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
-        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar t10 = q.s_E * FG_per_across_slide_E;
-    const Scalar t11 = d.psi_E_CEG.sin + sin_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG
-        - d.psi_E_CEG.cos * s_E_per_across_slide_E;
-    const Scalar t12 = q.s_E * s_E_per_across_slide_E + t02;
-    S_d(0, 0) = -t09;  S_d(0, 1) = t10;  S_d(0, 2) = FG_per_across_slide_E;
-    S_d(0, 3) = t10 - q.s_C * t09 - d.h_C_CEG * (FG_per_across_slide_E * d.psi_E_CEG.sin
-        - FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
-        - inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG);
-    S_d(0, 4) = -FG_per_across_slide_E;  S_d(0, 5) = -FG_per_along_FG;
-    S_d(1, 0) = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG
-        - d.psi_E_CEG.cos * s_B_per_across_slide_E;
-    S_d(1, 1) = q.s_E * s_B_per_across_slide_E;  S_d(1, 2) = s_B_per_across_slide_E;
-    S_d(1, 3) = t03 * s_B_per_along_FG - t01 * s_B_per_across_slide_E;
-    S_d(1, 4) = -s_B_per_across_slide_E;  S_d(1, 5) = -s_B_per_along_FG;
-    S_d(2, 0) = t08 - t07;  S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
-    S_d(2, 2) = s_C_per_across_slide_E;
-    S_d(2, 3) = t03 * s_C_per_along_FG - t01 * s_C_per_across_slide_E;
-    S_d(2, 4) = -s_C_per_across_slide_E;  S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t11;  S_d(3, 1) = t12;  S_d(3, 2) = s_E_per_across_slide_E;
-    S_d(3, 3) = q.s_C * t11 + t12 - d.h_C_CEG * (d.psi_E_CEG.cos
-        + d.psi_E_CEG.sin * s_E_per_across_slide_E
-        - cos_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG);
-    S_d(3, 4) = -s_E_per_across_slide_E;  S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = -FG_per_x_D - FG_per_x_F;  S_u(0, 1) = -FG_per_y_D - FG_per_y_F;
-    S_u(0, 2) = FG_per_along_FG * phi_B_across_FG - FG_per_across_slide_E * phi_B_along_slide_E
-        - inverse_FG * phi_B_along_FG;
-    S_u(0, 3) = FG_per_x_D;  S_u(0, 4) = FG_per_y_D;  S_u(0, 5) = FG_per_x_F;
-    S_u(0, 6) = FG_per_y_F;
-    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
-    S_u(1, 2) = phi_B_across_FG * s_B_per_along_FG - phi_B_along_slide_E * s_B_per_across_slide_E;
-    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_x_F;
-    S_u(1, 6) = s_B_per_y_F;
-    S_u(2, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(2, 1) = -s_C_per_y_D - s_C_per_y_F;
-    S_u(2, 2) = phi_B_across_FG * s_C_per_along_FG - phi_B_along_slide_E * s_C_per_across_slide_E;
-    S_u(2, 3) = s_C_per_x_D;  S_u(2, 4) = s_C_per_y_D;  S_u(2, 5) = s_C_per_x_F;
-    S_u(2, 6) = s_C_per_y_F;
-    S_u(3, 0) = -s_E_per_x_D - s_E_per_x_F;  S_u(3, 1) = -s_E_per_y_D - s_E_per_y_F;
-    S_u(3, 2) = phi_B_across_FG * s_E_per_along_FG - phi_B_along_slide_E * s_E_per_across_slide_E
-        - phi_B_across_slide_E;
-    S_u(3, 3) = s_E_per_x_D;  S_u(3, 4) = s_E_per_y_D;  S_u(3, 5) = s_E_per_x_F;
-    S_u(3, 6) = s_E_per_y_F;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
-    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
-        - d.psi_C_BC.sin * d.psi_E_CEG.sin;
-    const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
-        - d.psi_C_BC.cos * d.psi_E_CEG.sin;
-    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
-    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_FG = q.theta_FG.cos * cos_CEG
-        + q.theta_FG.sin * sin_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = q.theta_FG.cos * sin_CEG
-        - q.theta_FG.sin * cos_CEG;
-    const Scalar phi_B_along_slide_E = q.s_C * d.psi_E_CEG.cos + d.h_C_CEG * d.psi_E_CEG.sin
-        - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG - q.s_E;
-    const Scalar phi_B_across_slide_E = d.h_C_CEG * d.psi_E_CEG.cos + d.h_E_DE
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG - q.s_C * d.psi_E_CEG.sin - d.h_E_CEG;
-    const Scalar phi_B_along_FG = q.s_C * cos_phi_B_plus_psi_C_BC_minus_FG
-        - q.s_B * cos_phi_B_minus_FG - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar phi_B_across_FG = q.s_C * sin_phi_B_plus_psi_C_BC_minus_FG
-        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
-    const Scalar cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = q.theta_FG.cos * cos_DE
-        + q.theta_FG.sin * sin_DE;
-    const Scalar t01 = d.FG * d.psi_C_BC.sin;
-    const Scalar pivot_product = t01 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    // A zero divisor means cos(phi_B + psi_C_BC + psi_E_CEG - theta_FG) = 0, or sin(psi_C_BC) = 0,
-    //     or FG = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t01;
-    const Scalar t02 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t02, inverse_FG = t02 * d.psi_C_BC.sin;
-    const Scalar t03 = v_x_B - v_x_D, t04 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_E = cos_DE * t03 + sin_DE * t04
-        + phi_B_across_slide_E * omega_B;
-    const Scalar velocity_across_slide_E = cos_DE * t04 - sin_DE * t03
-        - phi_B_along_slide_E * omega_B;
-    const Scalar t05 = v_x_B - v_x_F, t06 = v_y_B - v_y_F;
-    const Scalar velocity_along_FG = q.theta_FG.cos * t05 + q.theta_FG.sin * t06
-        + phi_B_across_FG * omega_B;
-    const Scalar velocity_across_FG = q.theta_FG.cos * t06 - q.theta_FG.sin * t05
-        - phi_B_along_FG * omega_B;
-    const Scalar t07 = inverse_sin_psi_C_BC *
-        inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar v_s_B = t07 * (d.psi_E_CEG.sin * velocity_along_FG
-        + cos_phi_B_plus_psi_C_BC_minus_FG * velocity_across_slide_E);
-    const Scalar v_s_C = -t07 * (sin_minus_psi_C_BC_minus_psi_E_CEG * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_across_slide_E);
-    const Scalar v_s_E = d.psi_E_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B
-        - velocity_along_slide_E;
-    const Scalar omega_FG = inverse_FG * (sin_phi_B_minus_FG * v_s_B + velocity_across_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
-    q_rate(0) = omega_FG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -909,6 +748,15 @@ struct Model07 {
     q_second_rate(3) = a_s_E;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -917,165 +765,53 @@ struct Model07 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
     const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
-    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
-        - d.psi_C_BC.sin * d.psi_E_CEG.sin;
-    const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
-        - d.psi_C_BC.cos * d.psi_E_CEG.sin;
-    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
-    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_FG = q.theta_FG.cos * cos_CEG
-        + q.theta_FG.sin * sin_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = q.theta_FG.cos * sin_CEG
-        - q.theta_FG.sin * cos_CEG;
-    const Scalar t01 = d.h_C_CEG * d.psi_E_CEG.sin + q.s_C * d.psi_E_CEG.cos - q.s_E;
-    const Scalar phi_B_along_slide_E = t01 - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG;
-    const Scalar t02 = d.h_E_CEG - d.h_E_DE;
-    const Scalar phi_B_across_slide_E = d.h_C_CEG * d.psi_E_CEG.cos
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG - q.s_C * d.psi_E_CEG.sin - t02;
-    const Scalar phi_B_along_FG = q.s_C * cos_phi_B_plus_psi_C_BC_minus_FG
-        - q.s_B * cos_phi_B_minus_FG - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar t03 = q.s_C * sin_phi_B_plus_psi_C_BC_minus_FG
-        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar phi_B_across_FG = t03 - q.s_B * sin_phi_B_minus_FG;
-    const Scalar cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = q.theta_FG.cos * cos_DE
-        + q.theta_FG.sin * sin_DE;
-    const Scalar t04 = d.FG * d.psi_C_BC.sin;
-    const Scalar pivot_product = t04 * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    // A zero divisor means cos(phi_B + psi_C_BC + psi_E_CEG - theta_FG) = 0, or sin(psi_C_BC) = 0,
-    //     or FG = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG = inverse * t04;
-    const Scalar t05 = inverse * cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t05, inverse_FG = t05 * d.psi_C_BC.sin;
-    const Scalar t06 = inverse_cos_phi_B_plus_psi_C_BC_plus_psi_E_CEG_minus_FG *
-        inverse_sin_psi_C_BC;
-    const Scalar s_B_per_across_slide_E = cos_phi_B_plus_psi_C_BC_minus_FG * t06;
-    const Scalar s_C_per_across_slide_E = cos_phi_B_minus_FG * t06;
-    const Scalar t07 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = t07
-        - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_E;
-    const Scalar FG_per_across_slide_E = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_E
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_E);
-    const Scalar s_B_per_along_FG = d.psi_E_CEG.sin * t06;
-    const Scalar s_C_per_along_FG = -sin_minus_psi_C_BC_minus_psi_E_CEG * t06;
-    const Scalar s_E_per_along_FG = d.psi_E_CEG.cos * s_C_per_along_FG
-        - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_along_FG;
-    const Scalar t08 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t08);
-    const Scalar FG_per_x_D = FG_per_across_slide_E * sin_DE;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
-    const Scalar s_B_per_x_D = sin_DE * s_B_per_across_slide_E;
-    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
-    const Scalar s_C_per_x_D = sin_DE * s_C_per_across_slide_E;
-    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
-    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
-    const Scalar s_E_per_x_F = -q.theta_FG.cos * s_E_per_along_FG;
-    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
-    const Scalar FG_per_y_D = -FG_per_across_slide_E * cos_DE;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
-    const Scalar s_B_per_y_D = -cos_DE * s_B_per_across_slide_E;
-    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
-    const Scalar s_C_per_y_D = -cos_DE * s_C_per_across_slide_E;
-    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
-    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
-    const Scalar s_E_per_y_F = -q.theta_FG.sin * s_E_per_along_FG;
-    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
-    const Scalar FG_per_phi_B = FG_per_along_FG * phi_B_across_FG
-        - FG_per_across_slide_E * phi_B_along_slide_E - inverse_FG * phi_B_along_FG;
-    const Scalar s_B_per_phi_B = phi_B_across_FG * s_B_per_along_FG
-        - phi_B_along_slide_E * s_B_per_across_slide_E;
-    const Scalar s_C_per_phi_B = phi_B_across_FG * s_C_per_along_FG
-        - phi_B_along_slide_E * s_C_per_across_slide_E;
-    const Scalar s_E_per_phi_B = phi_B_across_FG * s_E_per_along_FG
-        - phi_B_along_slide_E * s_E_per_across_slide_E - phi_B_across_slide_E;
-    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_phi_B * omega_B
-        + FG_per_x_D * v_x_D + FG_per_y_D * v_y_D + FG_per_x_F * v_x_F + FG_per_y_F * v_y_F;
-    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
-        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_x_F * v_x_F + s_B_per_y_F * v_y_F;
-    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_phi_B * omega_B
-        + s_C_per_x_D * v_x_D + s_C_per_y_D * v_y_D + s_C_per_x_F * v_x_F + s_C_per_y_F * v_y_F;
-    const Scalar v_s_E = s_E_per_x_B * v_x_B + s_E_per_y_B * v_y_B + s_E_per_phi_B * omega_B
-        + s_E_per_x_D * v_x_D + s_E_per_y_D * v_y_D + s_E_per_x_F * v_x_F + s_E_per_y_F * v_y_F;
+    const Scalar omega_FG = s.FG_per_x_B * v_x_B + s.FG_per_y_B * v_y_B + s.FG_per_phi_B * omega_B
+        + s.FG_per_x_D * v_x_D + s.FG_per_y_D * v_y_D + s.FG_per_x_F * v_x_F + s.FG_per_y_F * v_y_F;
+    const Scalar v_s_B = s.s_B_per_x_B * v_x_B + s.s_B_per_y_B * v_y_B + s.s_B_per_phi_B * omega_B
+        + s.s_B_per_x_D * v_x_D + s.s_B_per_y_D * v_y_D + s.s_B_per_x_F * v_x_F
+        + s.s_B_per_y_F * v_y_F;
+    const Scalar v_s_C = s.s_C_per_x_B * v_x_B + s.s_C_per_y_B * v_y_B + s.s_C_per_phi_B * omega_B
+        + s.s_C_per_x_D * v_x_D + s.s_C_per_y_D * v_y_D + s.s_C_per_x_F * v_x_F
+        + s.s_C_per_y_F * v_y_F;
+    const Scalar v_s_E = s.s_E_per_x_B * v_x_B + s.s_E_per_y_B * v_y_B + s.s_E_per_phi_B * omega_B
+        + s.s_E_per_x_D * v_x_D + s.s_E_per_y_D * v_y_D + s.s_E_per_x_F * v_x_F
+        + s.s_E_per_y_F * v_y_F;
     const Scalar centripetal_along_slide_E = -omega_B * (Scalar(2) * d.psi_E_CEG.sin * v_s_C
-        + Scalar(2) * sin_minus_psi_C_BC_minus_psi_E_CEG * v_s_B - phi_B_along_slide_E * omega_B);
+        + Scalar(2) * s.sin_minus_psi_C_BC_minus_psi_E_CEG * v_s_B
+        - s.phi_B_along_slide_E * omega_B);
     const Scalar centripetal_across_slide_E = -omega_B * (Scalar(2) * d.psi_E_CEG.cos * v_s_C
-        - Scalar(2) * cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B - Scalar(2) * v_s_E
-        - phi_B_across_slide_E * omega_B);
+        - Scalar(2) * s.cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B - Scalar(2) * v_s_E
+        - s.phi_B_across_slide_E * omega_B);
     const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG
-        - omega_B * (Scalar(2) * sin_phi_B_minus_FG * v_s_B
-        - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C - phi_B_along_FG * omega_B);
-    const Scalar centripetal_across_FG = omega_B * (Scalar(2) * cos_phi_B_minus_FG * v_s_B
-        + phi_B_across_FG * omega_B - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
-    const Scalar t09 = FG_per_across_slide_E * d.psi_E_CEG.cos
-        + inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
-        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar t10 = q.s_E * FG_per_across_slide_E;
-    const Scalar t11 = d.psi_E_CEG.sin + sin_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG
-        - d.psi_E_CEG.cos * s_E_per_across_slide_E;
-    const Scalar t12 = q.s_E * s_E_per_across_slide_E + t02;
-    S_d(0, 0) = -t09;  S_d(0, 1) = t10;  S_d(0, 2) = FG_per_across_slide_E;
-    S_d(0, 3) = t10 - q.s_C * t09 - d.h_C_CEG * (FG_per_across_slide_E * d.psi_E_CEG.sin
-        - FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
-        - inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG);
-    S_d(0, 4) = -FG_per_across_slide_E;  S_d(0, 5) = -FG_per_along_FG;
-    S_d(1, 0) = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG
-        - d.psi_E_CEG.cos * s_B_per_across_slide_E;
-    S_d(1, 1) = q.s_E * s_B_per_across_slide_E;  S_d(1, 2) = s_B_per_across_slide_E;
-    S_d(1, 3) = t03 * s_B_per_along_FG - t01 * s_B_per_across_slide_E;
-    S_d(1, 4) = -s_B_per_across_slide_E;  S_d(1, 5) = -s_B_per_along_FG;
-    S_d(2, 0) = t08 - t07;  S_d(2, 1) = q.s_E * s_C_per_across_slide_E;
-    S_d(2, 2) = s_C_per_across_slide_E;
-    S_d(2, 3) = t03 * s_C_per_along_FG - t01 * s_C_per_across_slide_E;
-    S_d(2, 4) = -s_C_per_across_slide_E;  S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t11;  S_d(3, 1) = t12;  S_d(3, 2) = s_E_per_across_slide_E;
-    S_d(3, 3) = q.s_C * t11 + t12 - d.h_C_CEG * (d.psi_E_CEG.cos
-        + d.psi_E_CEG.sin * s_E_per_across_slide_E
-        - cos_phi_B_plus_psi_C_BC_minus_FG * s_E_per_along_FG);
-    S_d(3, 4) = -s_E_per_across_slide_E;  S_d(3, 5) = -s_E_per_along_FG;
-    S_u(0, 0) = FG_per_x_B;  S_u(0, 1) = FG_per_y_B;  S_u(0, 2) = FG_per_phi_B;
-    S_u(0, 3) = FG_per_x_D;  S_u(0, 4) = FG_per_y_D;  S_u(0, 5) = FG_per_x_F;
-    S_u(0, 6) = FG_per_y_F;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_x_F;
-    S_u(1, 6) = s_B_per_y_F;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
-    S_u(2, 3) = s_C_per_x_D;  S_u(2, 4) = s_C_per_y_D;  S_u(2, 5) = s_C_per_x_F;
-    S_u(2, 6) = s_C_per_y_F;
-    S_u(3, 0) = s_E_per_x_B;  S_u(3, 1) = s_E_per_y_B;  S_u(3, 2) = s_E_per_phi_B;
-    S_u(3, 3) = s_E_per_x_D;  S_u(3, 4) = s_E_per_y_D;  S_u(3, 5) = s_E_per_x_F;
-    S_u(3, 6) = s_E_per_y_F;
+        - omega_B * (Scalar(2) * s.sin_phi_B_minus_FG * v_s_B
+        - Scalar(2) * s.sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C - s.phi_B_along_FG * omega_B);
+    const Scalar centripetal_across_FG = omega_B * (Scalar(2) * s.cos_phi_B_minus_FG * v_s_B
+        + s.phi_B_across_FG * omega_B - Scalar(2) * s.cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
     q_rate(0) = omega_FG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_E;
-    q_second_rate(0) = FG_per_x_B * a_x_B + FG_per_y_B * a_y_B + FG_per_phi_B * alpha_B
-        + FG_per_x_D * a_x_D + FG_per_y_D * a_y_D + FG_per_x_F * a_x_F + FG_per_y_F * a_y_F
-        + inverse_FG * centripetal_across_FG + FG_per_across_slide_E * centripetal_across_slide_E
-        + FG_per_along_FG * centripetal_along_FG;
-    q_second_rate(1) = s_B_per_x_B * a_x_B + s_B_per_y_B * a_y_B + s_B_per_phi_B * alpha_B
-        + s_B_per_x_D * a_x_D + s_B_per_y_D * a_y_D + s_B_per_x_F * a_x_F + s_B_per_y_F * a_y_F
-        + s_B_per_across_slide_E * centripetal_across_slide_E
-        + s_B_per_along_FG * centripetal_along_FG;
-    q_second_rate(2) = s_C_per_x_B * a_x_B + s_C_per_y_B * a_y_B + s_C_per_phi_B * alpha_B
-        + s_C_per_x_D * a_x_D + s_C_per_y_D * a_y_D + s_C_per_x_F * a_x_F + s_C_per_y_F * a_y_F
-        + s_C_per_across_slide_E * centripetal_across_slide_E
-        + s_C_per_along_FG * centripetal_along_FG;
-    q_second_rate(3) = s_E_per_x_B * a_x_B + s_E_per_y_B * a_y_B + s_E_per_phi_B * alpha_B
-        + s_E_per_x_D * a_x_D + s_E_per_y_D * a_y_D + s_E_per_x_F * a_x_F + s_E_per_y_F * a_y_F
-        + s_E_per_across_slide_E * centripetal_across_slide_E
-        + s_E_per_along_FG * centripetal_along_FG - centripetal_along_slide_E;
+    q_second_rate(0) = s.FG_per_x_B * a_x_B + s.FG_per_y_B * a_y_B + s.FG_per_phi_B * alpha_B
+        + s.FG_per_x_D * a_x_D + s.FG_per_y_D * a_y_D + s.FG_per_x_F * a_x_F + s.FG_per_y_F * a_y_F
+        + s.inverse_FG * centripetal_across_FG
+        + s.FG_per_across_slide_E * centripetal_across_slide_E
+        + s.FG_per_along_FG * centripetal_along_FG;
+    q_second_rate(1) = s.s_B_per_x_B * a_x_B + s.s_B_per_y_B * a_y_B + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_x_D * a_x_D + s.s_B_per_y_D * a_y_D + s.s_B_per_x_F * a_x_F
+        + s.s_B_per_y_F * a_y_F + s.s_B_per_across_slide_E * centripetal_across_slide_E
+        + s.s_B_per_along_FG * centripetal_along_FG;
+    q_second_rate(2) = s.s_C_per_x_B * a_x_B + s.s_C_per_y_B * a_y_B + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_x_D * a_x_D + s.s_C_per_y_D * a_y_D + s.s_C_per_x_F * a_x_F
+        + s.s_C_per_y_F * a_y_F + s.s_C_per_across_slide_E * centripetal_across_slide_E
+        + s.s_C_per_along_FG * centripetal_along_FG;
+    q_second_rate(3) = s.s_E_per_x_B * a_x_B + s.s_E_per_y_B * a_y_B + s.s_E_per_phi_B * alpha_B
+        + s.s_E_per_x_D * a_x_D + s.s_E_per_y_D * a_y_D + s.s_E_per_x_F * a_x_F
+        + s.s_E_per_y_F * a_y_F + s.s_E_per_across_slide_E * centripetal_across_slide_E
+        + s.s_E_per_along_FG * centripetal_along_FG - centripetal_along_slide_E;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -28,18 +28,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: link CEG does not close exactly one loop.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     16, 20, 0
 ///   jacobian:                     8, 2, 0
 ///   dimension_jacobian:           0, 0, 0
 ///   input_jacobian:               8, 4, 0
-///   velocity_rhs:                 12, 12, 0
-///   acceleration_rhs:             44, 28, 0
-///   jerk_rhs:                     90, 46, 0
 ///   curvature_rhs:                68, 30, 0
 ///   link_poses:                   8, 8, 0
 ///   pose_jacobians:               8, 4, 0
@@ -48,9 +41,8 @@ namespace assur::triad {
 ///   pose_curvatures:              32, 12, 0
 ///   degeneracies:                 16, 16, 0
 ///   inverse_jacobian:             59, 19, 1
-///   sensitivities:                101, 47, 1
-///   velocity:                     60, 35, 1
 ///   motion:                       105, 71, 1
+///   sensitivities:                101, 47, 1
 ///   sensitivities_and_motion:     202, 125, 1
 ///   position_polynomial:          65, 40, 0
 ///   second_equations:             35, 29, 0
@@ -68,7 +60,7 @@ struct Model08 {
   static constexpr int input_count = 8;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 4;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -179,6 +171,128 @@ struct Model08 {
       {"RR-PR-PR", { 4, 5, 0, 1, 2, 3 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
+    const Scalar sin_phi_B_minus_phi_D = u.phi_D.cos * u.phi_B.sin - u.phi_B.cos * u.phi_D.sin;
+    const Scalar cos_CEG_minus_phi_D = u.phi_D.cos * q.theta_CEG.cos
+        + u.phi_D.sin * q.theta_CEG.sin;
+    const Scalar sin_CEG_minus_phi_D = u.phi_D.cos * q.theta_CEG.sin
+        - u.phi_D.sin * q.theta_CEG.cos;
+    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
+    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
+    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
+        + q.theta_CEG.sin * q.theta_FG.sin;
+    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
+        - q.theta_CEG.cos * q.theta_FG.sin;
+    const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
+        - d.h_B_BC * sin_phi_B_minus_phi_D;
+    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
+        - q.s_B * sin_phi_B_minus_phi_D;
+    const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
+    const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
+    const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
+    const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
+    const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
+    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
+    const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
+        - CEG_along_slide_D * cos_phi_B_minus_FG;
+    const Scalar pivot_product = d.FG * determinant;
+    // A zero divisor means a dead centre, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
+    const Scalar CEG_per_across_slide_D = -inverse_determinant * cos_phi_B_minus_FG;
+    const Scalar s_B_per_across_slide_D = CEG_across_FG * inverse_determinant;
+    const Scalar t01 = cos_phi_B_minus_phi_D * s_B_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = t01 + CEG_across_slide_D * CEG_per_across_slide_D;
+    const Scalar FG_per_across_slide_D = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_D
+        - CEG_per_across_slide_D * CEG_along_FG);
+    const Scalar CEG_per_along_FG = inverse_determinant * sin_phi_B_minus_phi_D;
+    const Scalar s_B_per_along_FG = CEG_along_slide_D * inverse_determinant;
+    const Scalar s_D_per_along_FG = cos_phi_B_minus_phi_D * s_B_per_along_FG
+        + CEG_across_slide_D * CEG_per_along_FG;
+    const Scalar t02 = sin_phi_B_minus_FG * s_B_per_along_FG;
+    const Scalar FG_per_along_FG = inverse_FG * (t02 - CEG_along_FG * CEG_per_along_FG);
+    const Scalar CEG_per_x_D = CEG_per_across_slide_D * u.phi_D.sin;
+    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar FG_per_x_D = FG_per_across_slide_D * u.phi_D.sin;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_D_per_x_F = -q.theta_FG.cos * s_D_per_along_FG;
+    const Scalar s_D_per_x_B = -s_D_per_x_D - s_D_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_D * u.phi_D.cos;
+    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar FG_per_y_D = -FG_per_across_slide_D * u.phi_D.cos;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_D_per_y_F = -q.theta_FG.sin * s_D_per_along_FG;
+    const Scalar s_D_per_y_B = -s_D_per_y_D - s_D_per_y_F;
+    const Scalar CEG_per_phi_B = CEG_per_along_FG * phi_B_across_FG
+        - CEG_per_across_slide_D * phi_B_along_slide_D;
+    const Scalar FG_per_phi_B = FG_per_along_FG * phi_B_across_FG
+        - FG_per_across_slide_D * phi_B_along_slide_D - inverse_FG * phi_B_along_FG;
+    const Scalar s_B_per_phi_B = phi_B_across_FG * s_B_per_along_FG
+        - phi_B_along_slide_D * s_B_per_across_slide_D;
+    const Scalar s_D_per_phi_B = phi_B_across_slide_D + phi_B_across_FG * s_D_per_along_FG
+        - phi_B_along_slide_D * s_D_per_across_slide_D;
+    const Scalar CEG_per_phi_D = -CEG_per_across_slide_D * q.s_D;
+    const Scalar FG_per_phi_D = -FG_per_across_slide_D * q.s_D;
+    const Scalar s_B_per_phi_D = -q.s_D * s_B_per_across_slide_D;
+    const Scalar s_D_per_phi_D = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = CEG_per_across_slide_D * sin_CEG_minus_phi_D;
+      S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
+      S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
+      S_d(0, 3) = CEG_per_along_FG * sin_phi_B_minus_FG
+          - CEG_per_across_slide_D * cos_phi_B_minus_phi_D;
+      S_d(0, 4) = CEG_per_across_slide_D;  S_d(0, 5) = -CEG_per_along_FG;
+      S_d(1, 0) = FG_per_across_slide_D * sin_CEG_minus_phi_D;
+      S_d(1, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
+      S_d(1, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
+      S_d(1, 3) = FG_per_along_FG * sin_phi_B_minus_FG
+          - FG_per_across_slide_D * cos_phi_B_minus_phi_D - inverse_FG * cos_phi_B_minus_FG;
+      S_d(1, 4) = FG_per_across_slide_D;  S_d(1, 5) = -FG_per_along_FG;
+      S_d(2, 0) = sin_CEG_minus_phi_D * s_B_per_across_slide_D;
+      S_d(2, 1) = cos_CEG_minus_FG * s_B_per_along_FG;
+      S_d(2, 2) = -sin_CEG_minus_FG * s_B_per_along_FG;  S_d(2, 3) = t02 - t01;
+      S_d(2, 4) = s_B_per_across_slide_D;  S_d(2, 5) = -s_B_per_along_FG;
+      S_d(3, 0) = cos_CEG_minus_phi_D + sin_CEG_minus_phi_D * s_D_per_across_slide_D;
+      S_d(3, 1) = cos_CEG_minus_FG * s_D_per_along_FG;
+      S_d(3, 2) = -sin_CEG_minus_FG * s_D_per_along_FG;
+      S_d(3, 3) = sin_phi_B_minus_phi_D + sin_phi_B_minus_FG * s_D_per_along_FG
+          - cos_phi_B_minus_phi_D * s_D_per_across_slide_D;
+      S_d(3, 4) = s_D_per_across_slide_D;  S_d(3, 5) = -s_D_per_along_FG;
+      S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_phi_B;
+      S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = CEG_per_phi_D;
+      S_u(0, 6) = CEG_per_x_F;  S_u(0, 7) = CEG_per_y_F;
+      S_u(1, 0) = FG_per_x_B;  S_u(1, 1) = FG_per_y_B;  S_u(1, 2) = FG_per_phi_B;
+      S_u(1, 3) = FG_per_x_D;  S_u(1, 4) = FG_per_y_D;  S_u(1, 5) = FG_per_phi_D;
+      S_u(1, 6) = FG_per_x_F;  S_u(1, 7) = FG_per_y_F;
+      S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;  S_u(2, 2) = s_B_per_phi_B;
+      S_u(2, 3) = s_B_per_x_D;  S_u(2, 4) = s_B_per_y_D;  S_u(2, 5) = s_B_per_phi_D;
+      S_u(2, 6) = s_B_per_x_F;  S_u(2, 7) = s_B_per_y_F;
+      S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = s_D_per_phi_B;
+      S_u(3, 3) = s_D_per_x_D;  S_u(3, 4) = s_D_per_y_D;  S_u(3, 5) = s_D_per_phi_D;
+      S_u(3, 6) = s_D_per_x_F;  S_u(3, 7) = s_D_per_y_F;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -240,103 +354,6 @@ struct Model08 {
     F_u(1, 5) = slide_D_x + DE_x;
     F_u(2, 0) = -Scalar(1);  F_u(2, 2) = t01;  F_u(2, 6) = Scalar(1);
     F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -t02;  F_u(3, 7) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = (slide_B_y + BC_y) * omega_B - v_x_B;
-    const Scalar t02 = (slide_B_x + BC_x) * omega_B + v_y_B;
-    rhs(0) = (slide_D_y + DE_y) * omega_D - v_x_D - t01;
-    rhs(1) = t02 - (slide_D_x + DE_x) * omega_D - v_y_D;  rhs(2) = -v_x_F - t01;
-    rhs(3) = t02 - v_y_F;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0), omega_FG = q_rate(1), v_s_B = q_rate(2), v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), a_x_F = u_second_rate(6);
-    const Scalar a_y_F = u_second_rate(7);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = slide_D_x + DE_x, t02 = slide_D_y + DE_y, t03 = omega_CEG * omega_CEG;
-    const Scalar t04 = slide_B_x + BC_x, t05 = slide_B_y + BC_y;
-    const Scalar t06 = a_x_B - omega_B * (t04 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
-        - t05 * alpha_B;
-    const Scalar t07 = a_y_B + t04 * alpha_B - omega_B * (t05 * omega_B
-        - Scalar(2) * u.phi_B.cos * v_s_B);
-    const Scalar t08 = omega_FG * omega_FG;
-    rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t02 * alpha_D + t06
-        - a_x_D - CE_x * t03;
-    rhs(1) = omega_D * (t02 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + t07 - t01 * alpha_D
-        - a_y_D - CE_y * t03;
-    rhs(2) = FG_x * t08 + t06 - a_x_F - CG_x * t03;  rhs(3) = FG_y * t08 + t07 - a_y_F - CG_y * t03;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), omega_FG = q_rate(1);
-    const Scalar alpha_FG = q_second_rate(1), v_s_B = q_rate(2), a_s_B = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
-    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), jerk_D = u_third_rate(5);
-    const Scalar j_x_F = u_third_rate(6), j_y_F = u_third_rate(7);
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = d.CE * q.theta_CEG.cos, CE_y = d.CE * q.theta_CEG.sin;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar CG_x = d.x_G_CEG * q.theta_CEG.cos - d.y_G_CEG * q.theta_CEG.sin;
-    const Scalar CG_y = d.y_G_CEG * q.theta_CEG.cos + d.x_G_CEG * q.theta_CEG.sin;
-    const Scalar t01 = slide_D_y + DE_y, t02 = u.phi_D.cos * v_s_D, t03 = slide_D_x + DE_x;
-    const Scalar t04 = omega_CEG * omega_CEG, t05 = u.phi_D.sin * v_s_D, t06 = slide_B_y + BC_y;
-    const Scalar t07 = u.phi_B.cos * v_s_B, t08 = slide_B_x + BC_x, t09 = u.phi_B.sin * v_s_B;
-    const Scalar t10 = omega_B * (omega_B * (t06 * omega_B - Scalar(3) * t07)
-        - Scalar(3) * t08 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t06 * jerk_B + j_x_B
-        - Scalar(3) * alpha_B * t09;
-    const Scalar t11 = omega_B * (omega_B * (t08 * omega_B + Scalar(3) * t09)
-        + Scalar(3) * t06 * alpha_B - Scalar(3) * u.phi_B.cos * a_s_B) - t08 * jerk_B - j_y_B
-        - Scalar(3) * t07 * alpha_B;
-    const Scalar t12 = omega_FG * omega_FG;
-    rhs(0) = t01 * jerk_D + Scalar(3) * alpha_D * t05 + t10 - omega_D * (omega_D * (t01 * omega_D
-        - Scalar(3) * t02) - Scalar(3) * t03 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D) - j_x_D
-        - omega_CEG * (Scalar(3) * CE_x * alpha_CEG - CE_y * t04);
-    rhs(1) = omega_D * (omega_D * (t03 * omega_D + Scalar(3) * t05) + Scalar(3) * t01 * alpha_D
-        - Scalar(3) * u.phi_D.cos * a_s_D) - t03 * jerk_D - j_y_D
-        - omega_CEG * (Scalar(3) * CE_y * alpha_CEG + CE_x * t04) - Scalar(3) * t02 * alpha_D - t11;
-    rhs(2) = omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t12) + t10 - j_x_F
-        - omega_CEG * (Scalar(3) * CG_x * alpha_CEG - CG_y * t04);
-    rhs(3) = omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t12) - j_y_F
-        - omega_CEG * (Scalar(3) * CG_y * alpha_CEG + CG_x * t04) - t11;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -598,166 +615,6 @@ struct Model08 {
     J_inverse(3, 3) = q.theta_FG.sin * s_D_per_along_FG;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar sin_phi_B_minus_phi_D = u.phi_D.cos * u.phi_B.sin - u.phi_B.cos * u.phi_D.sin;
-    const Scalar cos_CEG_minus_phi_D = u.phi_D.cos * q.theta_CEG.cos
-        + u.phi_D.sin * q.theta_CEG.sin;
-    const Scalar sin_CEG_minus_phi_D = u.phi_D.cos * q.theta_CEG.sin
-        - u.phi_D.sin * q.theta_CEG.cos;
-    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
-    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
-    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
-        + q.theta_CEG.sin * q.theta_FG.sin;
-    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
-        - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
-        - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
-        - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
-    const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
-    const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
-    const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
-    const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
-        - CEG_along_slide_D * cos_phi_B_minus_FG;
-    const Scalar pivot_product = d.FG * determinant;
-    // A zero divisor means a dead centre, or FG = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_D = -inverse_determinant * cos_phi_B_minus_FG;
-    const Scalar s_B_per_across_slide_D = CEG_across_FG * inverse_determinant;
-    const Scalar t01 = cos_phi_B_minus_phi_D * s_B_per_across_slide_D;
-    const Scalar s_D_per_across_slide_D = t01 + CEG_across_slide_D * CEG_per_across_slide_D;
-    const Scalar FG_per_across_slide_D = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_D
-        - CEG_per_across_slide_D * CEG_along_FG);
-    const Scalar CEG_per_along_FG = inverse_determinant * sin_phi_B_minus_phi_D;
-    const Scalar s_B_per_along_FG = CEG_along_slide_D * inverse_determinant;
-    const Scalar s_D_per_along_FG = cos_phi_B_minus_phi_D * s_B_per_along_FG
-        + CEG_across_slide_D * CEG_per_along_FG;
-    const Scalar t02 = sin_phi_B_minus_FG * s_B_per_along_FG;
-    const Scalar FG_per_along_FG = inverse_FG * (t02 - CEG_along_FG * CEG_per_along_FG);
-    const Scalar CEG_per_x_D = CEG_per_across_slide_D * u.phi_D.sin;
-    const Scalar FG_per_x_D = FG_per_across_slide_D * u.phi_D.sin;
-    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
-    const Scalar CEG_per_y_D = -CEG_per_across_slide_D * u.phi_D.cos;
-    const Scalar FG_per_y_D = -FG_per_across_slide_D * u.phi_D.cos;
-    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar s_D_per_x_F = -q.theta_FG.cos * s_D_per_along_FG;
-    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar s_D_per_y_F = -q.theta_FG.sin * s_D_per_along_FG;
-    S_d(0, 0) = CEG_per_across_slide_D * sin_CEG_minus_phi_D;
-    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
-    S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
-    S_d(0, 3) = CEG_per_along_FG * sin_phi_B_minus_FG
-        - CEG_per_across_slide_D * cos_phi_B_minus_phi_D;
-    S_d(0, 4) = CEG_per_across_slide_D;  S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = FG_per_across_slide_D * sin_CEG_minus_phi_D;
-    S_d(1, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
-    S_d(1, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
-    S_d(1, 3) = FG_per_along_FG * sin_phi_B_minus_FG - FG_per_across_slide_D * cos_phi_B_minus_phi_D
-        - inverse_FG * cos_phi_B_minus_FG;
-    S_d(1, 4) = FG_per_across_slide_D;  S_d(1, 5) = -FG_per_along_FG;
-    S_d(2, 0) = sin_CEG_minus_phi_D * s_B_per_across_slide_D;
-    S_d(2, 1) = cos_CEG_minus_FG * s_B_per_along_FG;
-    S_d(2, 2) = -sin_CEG_minus_FG * s_B_per_along_FG;  S_d(2, 3) = t02 - t01;
-    S_d(2, 4) = s_B_per_across_slide_D;  S_d(2, 5) = -s_B_per_along_FG;
-    S_d(3, 0) = cos_CEG_minus_phi_D + sin_CEG_minus_phi_D * s_D_per_across_slide_D;
-    S_d(3, 1) = cos_CEG_minus_FG * s_D_per_along_FG;
-    S_d(3, 2) = -sin_CEG_minus_FG * s_D_per_along_FG;
-    S_d(3, 3) = sin_phi_B_minus_phi_D + sin_phi_B_minus_FG * s_D_per_along_FG
-        - cos_phi_B_minus_phi_D * s_D_per_across_slide_D;
-    S_d(3, 4) = s_D_per_across_slide_D;  S_d(3, 5) = -s_D_per_along_FG;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
-    S_u(0, 2) = CEG_per_along_FG * phi_B_across_FG - CEG_per_across_slide_D * phi_B_along_slide_D;
-    S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = -CEG_per_across_slide_D * q.s_D;
-    S_u(0, 6) = CEG_per_x_F;  S_u(0, 7) = CEG_per_y_F;
-    S_u(1, 0) = -FG_per_x_D - FG_per_x_F;  S_u(1, 1) = -FG_per_y_D - FG_per_y_F;
-    S_u(1, 2) = FG_per_along_FG * phi_B_across_FG - FG_per_across_slide_D * phi_B_along_slide_D
-        - inverse_FG * phi_B_along_FG;
-    S_u(1, 3) = FG_per_x_D;  S_u(1, 4) = FG_per_y_D;  S_u(1, 5) = -FG_per_across_slide_D * q.s_D;
-    S_u(1, 6) = FG_per_x_F;  S_u(1, 7) = FG_per_y_F;
-    S_u(2, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(2, 1) = -s_B_per_y_D - s_B_per_y_F;
-    S_u(2, 2) = phi_B_across_FG * s_B_per_along_FG - phi_B_along_slide_D * s_B_per_across_slide_D;
-    S_u(2, 3) = s_B_per_x_D;  S_u(2, 4) = s_B_per_y_D;  S_u(2, 5) = -q.s_D * s_B_per_across_slide_D;
-    S_u(2, 6) = s_B_per_x_F;  S_u(2, 7) = s_B_per_y_F;
-    S_u(3, 0) = -s_D_per_x_D - s_D_per_x_F;  S_u(3, 1) = -s_D_per_y_D - s_D_per_y_F;
-    S_u(3, 2) = phi_B_across_slide_D + phi_B_across_FG * s_D_per_along_FG
-        - phi_B_along_slide_D * s_D_per_across_slide_D;
-    S_u(3, 3) = s_D_per_x_D;  S_u(3, 4) = s_D_per_y_D;
-    S_u(3, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;  S_u(3, 6) = s_D_per_x_F;
-    S_u(3, 7) = s_D_per_y_F;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
-    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar sin_phi_B_minus_phi_D = u.phi_D.cos * u.phi_B.sin - u.phi_B.cos * u.phi_D.sin;
-    const Scalar cos_CEG_minus_phi_D = u.phi_D.cos * q.theta_CEG.cos
-        + u.phi_D.sin * q.theta_CEG.sin;
-    const Scalar sin_CEG_minus_phi_D = u.phi_D.cos * q.theta_CEG.sin
-        - u.phi_D.sin * q.theta_CEG.cos;
-    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
-    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
-    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
-        + q.theta_CEG.sin * q.theta_FG.sin;
-    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
-        - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
-        - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
-        - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
-    const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
-    const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
-    const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
-    const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
-        - CEG_along_slide_D * cos_phi_B_minus_FG;
-    const Scalar pivot_product = d.FG * determinant;
-    // A zero divisor means a dead centre, or FG = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
-    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02
-        + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
-    const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - q.s_D * omega_D
-        - phi_B_along_slide_D * omega_B;
-    const Scalar t03 = v_x_B - v_x_F, t04 = v_y_B - v_y_F;
-    const Scalar velocity_along_FG = q.theta_FG.cos * t03 + q.theta_FG.sin * t04
-        + phi_B_across_FG * omega_B;
-    const Scalar velocity_across_FG = q.theta_FG.cos * t04 - q.theta_FG.sin * t03
-        - phi_B_along_FG * omega_B;
-    const Scalar omega_CEG = inverse_determinant * (sin_phi_B_minus_phi_D * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_across_slide_D);
-    const Scalar v_s_B = inverse_determinant * (CEG_along_slide_D * velocity_along_FG
-        + CEG_across_FG * velocity_across_slide_D);
-    const Scalar v_s_D = CEG_across_slide_D * omega_CEG + cos_phi_B_minus_phi_D * v_s_B
-        + velocity_along_slide_D;
-    const Scalar omega_FG = -inverse_FG * (CEG_along_FG * omega_CEG - sin_phi_B_minus_FG * v_s_B
-        - velocity_across_FG);
-    q_rate(0) = omega_CEG;  q_rate(1) = omega_FG;  q_rate(2) = v_s_B;  q_rate(3) = v_s_D;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -842,6 +699,15 @@ struct Model08 {
     q_second_rate(3) = a_s_D;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -850,162 +716,57 @@ struct Model08 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
     const Scalar v_x_F = u_rate(6), a_x_F = u_second_rate(6), v_y_F = u_rate(7);
     const Scalar a_y_F = u_second_rate(7);
-    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar sin_phi_B_minus_phi_D = u.phi_D.cos * u.phi_B.sin - u.phi_B.cos * u.phi_D.sin;
-    const Scalar cos_CEG_minus_phi_D = u.phi_D.cos * q.theta_CEG.cos
-        + u.phi_D.sin * q.theta_CEG.sin;
-    const Scalar sin_CEG_minus_phi_D = u.phi_D.cos * q.theta_CEG.sin
-        - u.phi_D.sin * q.theta_CEG.cos;
-    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
-    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
-    const Scalar cos_CEG_minus_FG = q.theta_CEG.cos * q.theta_FG.cos
-        + q.theta_CEG.sin * q.theta_FG.sin;
-    const Scalar sin_CEG_minus_FG = q.theta_CEG.sin * q.theta_FG.cos
-        - q.theta_CEG.cos * q.theta_FG.sin;
-    const Scalar phi_B_along_slide_D = -q.s_B * cos_phi_B_minus_phi_D
-        - d.h_B_BC * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = d.h_B_BC * cos_phi_B_minus_phi_D
-        - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar CEG_along_slide_D = -d.CE * cos_CEG_minus_phi_D;
-    const Scalar CEG_across_slide_D = -d.CE * sin_CEG_minus_phi_D;
-    const Scalar phi_B_along_FG = -q.s_B * cos_phi_B_minus_FG - d.h_B_BC * sin_phi_B_minus_FG;
-    const Scalar phi_B_across_FG = d.h_B_BC * cos_phi_B_minus_FG - q.s_B * sin_phi_B_minus_FG;
-    const Scalar CEG_along_FG = d.y_G_CEG * sin_CEG_minus_FG - d.x_G_CEG * cos_CEG_minus_FG;
-    const Scalar CEG_across_FG = -d.x_G_CEG * sin_CEG_minus_FG - d.y_G_CEG * cos_CEG_minus_FG;
-    const Scalar determinant = -CEG_across_FG * sin_phi_B_minus_phi_D
-        - CEG_along_slide_D * cos_phi_B_minus_FG;
-    const Scalar pivot_product = d.FG * determinant;
-    // A zero divisor means a dead centre, or FG = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_determinant = d.FG * inverse, inverse_FG = determinant * inverse;
-    const Scalar CEG_per_across_slide_D = -inverse_determinant * cos_phi_B_minus_FG;
-    const Scalar s_B_per_across_slide_D = CEG_across_FG * inverse_determinant;
-    const Scalar t01 = cos_phi_B_minus_phi_D * s_B_per_across_slide_D;
-    const Scalar s_D_per_across_slide_D = t01 + CEG_across_slide_D * CEG_per_across_slide_D;
-    const Scalar FG_per_across_slide_D = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_D
-        - CEG_per_across_slide_D * CEG_along_FG);
-    const Scalar CEG_per_along_FG = inverse_determinant * sin_phi_B_minus_phi_D;
-    const Scalar s_B_per_along_FG = CEG_along_slide_D * inverse_determinant;
-    const Scalar s_D_per_along_FG = cos_phi_B_minus_phi_D * s_B_per_along_FG
-        + CEG_across_slide_D * CEG_per_along_FG;
-    const Scalar t02 = sin_phi_B_minus_FG * s_B_per_along_FG;
-    const Scalar FG_per_along_FG = inverse_FG * (t02 - CEG_along_FG * CEG_per_along_FG);
-    const Scalar CEG_per_x_D = CEG_per_across_slide_D * u.phi_D.sin;
-    const Scalar CEG_per_x_F = -CEG_per_along_FG * q.theta_FG.cos;
-    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
-    const Scalar FG_per_x_D = FG_per_across_slide_D * u.phi_D.sin;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
-    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
-    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
-    const Scalar s_D_per_x_F = -q.theta_FG.cos * s_D_per_along_FG;
-    const Scalar s_D_per_x_B = -s_D_per_x_D - s_D_per_x_F;
-    const Scalar CEG_per_y_D = -CEG_per_across_slide_D * u.phi_D.cos;
-    const Scalar CEG_per_y_F = -CEG_per_along_FG * q.theta_FG.sin;
-    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
-    const Scalar FG_per_y_D = -FG_per_across_slide_D * u.phi_D.cos;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
-    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
-    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar s_D_per_y_F = -q.theta_FG.sin * s_D_per_along_FG;
-    const Scalar s_D_per_y_B = -s_D_per_y_D - s_D_per_y_F;
-    const Scalar CEG_per_phi_B = CEG_per_along_FG * phi_B_across_FG
-        - CEG_per_across_slide_D * phi_B_along_slide_D;
-    const Scalar FG_per_phi_B = FG_per_along_FG * phi_B_across_FG
-        - FG_per_across_slide_D * phi_B_along_slide_D - inverse_FG * phi_B_along_FG;
-    const Scalar s_B_per_phi_B = phi_B_across_FG * s_B_per_along_FG
-        - phi_B_along_slide_D * s_B_per_across_slide_D;
-    const Scalar s_D_per_phi_B = phi_B_across_slide_D + phi_B_across_FG * s_D_per_along_FG
-        - phi_B_along_slide_D * s_D_per_across_slide_D;
-    const Scalar CEG_per_phi_D = -CEG_per_across_slide_D * q.s_D;
-    const Scalar FG_per_phi_D = -FG_per_across_slide_D * q.s_D;
-    const Scalar s_B_per_phi_D = -q.s_D * s_B_per_across_slide_D;
-    const Scalar s_D_per_phi_D = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
-    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_phi_B * omega_B
-        + CEG_per_x_D * v_x_D + CEG_per_y_D * v_y_D + CEG_per_phi_D * omega_D + CEG_per_x_F * v_x_F
-        + CEG_per_y_F * v_y_F;
-    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_phi_B * omega_B
-        + FG_per_x_D * v_x_D + FG_per_y_D * v_y_D + FG_per_phi_D * omega_D + FG_per_x_F * v_x_F
-        + FG_per_y_F * v_y_F;
-    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
-        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_phi_D * omega_D + s_B_per_x_F * v_x_F
-        + s_B_per_y_F * v_y_F;
-    const Scalar v_s_D = s_D_per_x_B * v_x_B + s_D_per_y_B * v_y_B + s_D_per_phi_B * omega_B
-        + s_D_per_x_D * v_x_D + s_D_per_y_D * v_y_D + s_D_per_phi_D * omega_D + s_D_per_x_F * v_x_F
-        + s_D_per_y_F * v_y_F;
+    const Scalar omega_CEG = s.CEG_per_x_B * v_x_B + s.CEG_per_y_B * v_y_B
+        + s.CEG_per_phi_B * omega_B + s.CEG_per_x_D * v_x_D + s.CEG_per_y_D * v_y_D
+        + s.CEG_per_phi_D * omega_D + s.CEG_per_x_F * v_x_F + s.CEG_per_y_F * v_y_F;
+    const Scalar omega_FG = s.FG_per_x_B * v_x_B + s.FG_per_y_B * v_y_B + s.FG_per_phi_B * omega_B
+        + s.FG_per_x_D * v_x_D + s.FG_per_y_D * v_y_D + s.FG_per_phi_D * omega_D
+        + s.FG_per_x_F * v_x_F + s.FG_per_y_F * v_y_F;
+    const Scalar v_s_B = s.s_B_per_x_B * v_x_B + s.s_B_per_y_B * v_y_B + s.s_B_per_phi_B * omega_B
+        + s.s_B_per_x_D * v_x_D + s.s_B_per_y_D * v_y_D + s.s_B_per_phi_D * omega_D
+        + s.s_B_per_x_F * v_x_F + s.s_B_per_y_F * v_y_F;
+    const Scalar v_s_D = s.s_D_per_x_B * v_x_B + s.s_D_per_y_B * v_y_B + s.s_D_per_phi_B * omega_B
+        + s.s_D_per_x_D * v_x_D + s.s_D_per_y_D * v_y_D + s.s_D_per_phi_D * omega_D
+        + s.s_D_per_x_F * v_x_F + s.s_D_per_y_F * v_y_F;
     const Scalar t03 = omega_CEG * omega_CEG;
-    const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D + CEG_along_slide_D * t03
-        - omega_B * (Scalar(2) * sin_phi_B_minus_phi_D * v_s_B - phi_B_along_slide_D * omega_B);
-    const Scalar centripetal_across_slide_D = omega_B * (Scalar(2) * cos_phi_B_minus_phi_D * v_s_B
-        + phi_B_across_slide_D * omega_B) + CEG_across_slide_D * t03 - omega_D * (d.h_D_DE * omega_D
-        + Scalar(2) * v_s_D);
-    const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG + CEG_along_FG * t03
-        - omega_B * (Scalar(2) * sin_phi_B_minus_FG * v_s_B - phi_B_along_FG * omega_B);
-    const Scalar centripetal_across_FG = omega_B * (Scalar(2) * cos_phi_B_minus_FG * v_s_B
-        + phi_B_across_FG * omega_B) + CEG_across_FG * t03;
-    S_d(0, 0) = CEG_per_across_slide_D * sin_CEG_minus_phi_D;
-    S_d(0, 1) = CEG_per_along_FG * cos_CEG_minus_FG;
-    S_d(0, 2) = -CEG_per_along_FG * sin_CEG_minus_FG;
-    S_d(0, 3) = CEG_per_along_FG * sin_phi_B_minus_FG
-        - CEG_per_across_slide_D * cos_phi_B_minus_phi_D;
-    S_d(0, 4) = CEG_per_across_slide_D;  S_d(0, 5) = -CEG_per_along_FG;
-    S_d(1, 0) = FG_per_across_slide_D * sin_CEG_minus_phi_D;
-    S_d(1, 1) = FG_per_along_FG * cos_CEG_minus_FG + inverse_FG * sin_CEG_minus_FG;
-    S_d(1, 2) = inverse_FG * cos_CEG_minus_FG - FG_per_along_FG * sin_CEG_minus_FG;
-    S_d(1, 3) = FG_per_along_FG * sin_phi_B_minus_FG - FG_per_across_slide_D * cos_phi_B_minus_phi_D
-        - inverse_FG * cos_phi_B_minus_FG;
-    S_d(1, 4) = FG_per_across_slide_D;  S_d(1, 5) = -FG_per_along_FG;
-    S_d(2, 0) = sin_CEG_minus_phi_D * s_B_per_across_slide_D;
-    S_d(2, 1) = cos_CEG_minus_FG * s_B_per_along_FG;
-    S_d(2, 2) = -sin_CEG_minus_FG * s_B_per_along_FG;  S_d(2, 3) = t02 - t01;
-    S_d(2, 4) = s_B_per_across_slide_D;  S_d(2, 5) = -s_B_per_along_FG;
-    S_d(3, 0) = cos_CEG_minus_phi_D + sin_CEG_minus_phi_D * s_D_per_across_slide_D;
-    S_d(3, 1) = cos_CEG_minus_FG * s_D_per_along_FG;
-    S_d(3, 2) = -sin_CEG_minus_FG * s_D_per_along_FG;
-    S_d(3, 3) = sin_phi_B_minus_phi_D + sin_phi_B_minus_FG * s_D_per_along_FG
-        - cos_phi_B_minus_phi_D * s_D_per_across_slide_D;
-    S_d(3, 4) = s_D_per_across_slide_D;  S_d(3, 5) = -s_D_per_along_FG;
-    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_phi_B;
-    S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = CEG_per_phi_D;
-    S_u(0, 6) = CEG_per_x_F;  S_u(0, 7) = CEG_per_y_F;
-    S_u(1, 0) = FG_per_x_B;  S_u(1, 1) = FG_per_y_B;  S_u(1, 2) = FG_per_phi_B;
-    S_u(1, 3) = FG_per_x_D;  S_u(1, 4) = FG_per_y_D;  S_u(1, 5) = FG_per_phi_D;
-    S_u(1, 6) = FG_per_x_F;  S_u(1, 7) = FG_per_y_F;
-    S_u(2, 0) = s_B_per_x_B;  S_u(2, 1) = s_B_per_y_B;  S_u(2, 2) = s_B_per_phi_B;
-    S_u(2, 3) = s_B_per_x_D;  S_u(2, 4) = s_B_per_y_D;  S_u(2, 5) = s_B_per_phi_D;
-    S_u(2, 6) = s_B_per_x_F;  S_u(2, 7) = s_B_per_y_F;
-    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = s_D_per_phi_B;
-    S_u(3, 3) = s_D_per_x_D;  S_u(3, 4) = s_D_per_y_D;  S_u(3, 5) = s_D_per_phi_D;
-    S_u(3, 6) = s_D_per_x_F;  S_u(3, 7) = s_D_per_y_F;
+    const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D + s.CEG_along_slide_D * t03
+        - omega_B * (Scalar(2) * s.sin_phi_B_minus_phi_D * v_s_B - s.phi_B_along_slide_D * omega_B);
+    const Scalar centripetal_across_slide_D = omega_B * (Scalar(2) * s.cos_phi_B_minus_phi_D * v_s_B
+        + s.phi_B_across_slide_D * omega_B) + s.CEG_across_slide_D * t03
+        - omega_D * (d.h_D_DE * omega_D + Scalar(2) * v_s_D);
+    const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG + s.CEG_along_FG * t03
+        - omega_B * (Scalar(2) * s.sin_phi_B_minus_FG * v_s_B - s.phi_B_along_FG * omega_B);
+    const Scalar centripetal_across_FG = omega_B * (Scalar(2) * s.cos_phi_B_minus_FG * v_s_B
+        + s.phi_B_across_FG * omega_B) + s.CEG_across_FG * t03;
     q_rate(0) = omega_CEG;  q_rate(1) = omega_FG;  q_rate(2) = v_s_B;  q_rate(3) = v_s_D;
-    q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_phi_B * alpha_B
-        + CEG_per_x_D * a_x_D + CEG_per_y_D * a_y_D + CEG_per_phi_D * alpha_D + CEG_per_x_F * a_x_F
-        + CEG_per_y_F * a_y_F + CEG_per_across_slide_D * centripetal_across_slide_D
-        + CEG_per_along_FG * centripetal_along_FG;
-    q_second_rate(1) = FG_per_x_B * a_x_B + FG_per_y_B * a_y_B + FG_per_phi_B * alpha_B
-        + FG_per_x_D * a_x_D + FG_per_y_D * a_y_D + FG_per_phi_D * alpha_D + FG_per_x_F * a_x_F
-        + FG_per_y_F * a_y_F + inverse_FG * centripetal_across_FG
-        + FG_per_across_slide_D * centripetal_across_slide_D
-        + FG_per_along_FG * centripetal_along_FG;
-    q_second_rate(2) = s_B_per_x_B * a_x_B + s_B_per_y_B * a_y_B + s_B_per_phi_B * alpha_B
-        + s_B_per_x_D * a_x_D + s_B_per_y_D * a_y_D + s_B_per_phi_D * alpha_D + s_B_per_x_F * a_x_F
-        + s_B_per_y_F * a_y_F + s_B_per_across_slide_D * centripetal_across_slide_D
-        + s_B_per_along_FG * centripetal_along_FG;
-    q_second_rate(3) = s_D_per_x_B * a_x_B + s_D_per_y_B * a_y_B + s_D_per_phi_B * alpha_B
-        + s_D_per_x_D * a_x_D + s_D_per_y_D * a_y_D + s_D_per_phi_D * alpha_D + s_D_per_x_F * a_x_F
-        + s_D_per_y_F * a_y_F + s_D_per_across_slide_D * centripetal_across_slide_D
-        + s_D_per_along_FG * centripetal_along_FG + centripetal_along_slide_D;
+    q_second_rate(0) = s.CEG_per_x_B * a_x_B + s.CEG_per_y_B * a_y_B + s.CEG_per_phi_B * alpha_B
+        + s.CEG_per_x_D * a_x_D + s.CEG_per_y_D * a_y_D + s.CEG_per_phi_D * alpha_D
+        + s.CEG_per_x_F * a_x_F + s.CEG_per_y_F * a_y_F
+        + s.CEG_per_across_slide_D * centripetal_across_slide_D
+        + s.CEG_per_along_FG * centripetal_along_FG;
+    q_second_rate(1) = s.FG_per_x_B * a_x_B + s.FG_per_y_B * a_y_B + s.FG_per_phi_B * alpha_B
+        + s.FG_per_x_D * a_x_D + s.FG_per_y_D * a_y_D + s.FG_per_phi_D * alpha_D
+        + s.FG_per_x_F * a_x_F + s.FG_per_y_F * a_y_F + s.inverse_FG * centripetal_across_FG
+        + s.FG_per_across_slide_D * centripetal_across_slide_D
+        + s.FG_per_along_FG * centripetal_along_FG;
+    q_second_rate(2) = s.s_B_per_x_B * a_x_B + s.s_B_per_y_B * a_y_B + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_x_D * a_x_D + s.s_B_per_y_D * a_y_D + s.s_B_per_phi_D * alpha_D
+        + s.s_B_per_x_F * a_x_F + s.s_B_per_y_F * a_y_F
+        + s.s_B_per_across_slide_D * centripetal_across_slide_D
+        + s.s_B_per_along_FG * centripetal_along_FG;
+    q_second_rate(3) = s.s_D_per_x_B * a_x_B + s.s_D_per_y_B * a_y_B + s.s_D_per_phi_B * alpha_B
+        + s.s_D_per_x_D * a_x_D + s.s_D_per_y_D * a_y_D + s.s_D_per_phi_D * alpha_D
+        + s.s_D_per_x_F * a_x_F + s.s_D_per_y_F * a_y_F
+        + s.s_D_per_across_slide_D * centripetal_across_slide_D
+        + s.s_D_per_along_FG * centripetal_along_FG + centripetal_along_slide_D;
   }
 
   /// The final polynomial T in theta_CEG, free of all other unknowns:

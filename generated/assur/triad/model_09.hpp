@@ -28,18 +28,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: link CEG does not close exactly one loop.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     20, 23, 0
 ///   jacobian:                     6, 2, 0
 ///   dimension_jacobian:           12, 9, 0
 ///   input_jacobian:               18, 13, 0
-///   velocity_rhs:                 24, 23, 0
-///   acceleration_rhs:             53, 39, 0
-///   jerk_rhs:                     99, 61, 0
 ///   curvature_rhs:                82, 53, 0
 ///   link_poses:                   14, 12, 0
 ///   pose_jacobians:               14, 8, 0
@@ -48,9 +41,8 @@ namespace assur::triad {
 ///   pose_curvatures:              54, 26, 0
 ///   degeneracies:                 2, 6, 0
 ///   inverse_jacobian:             61, 19, 1
-///   sensitivities:                113, 60, 1
-///   velocity:                     66, 41, 1
 ///   motion:                       110, 75, 1
+///   sensitivities:                113, 60, 1
 ///   sensitivities_and_motion:     217, 138, 1
 ///   position_polynomial:          57, 39, 0
 ///   second_equations:             44, 36, 0
@@ -68,7 +60,7 @@ struct Model09 {
   static constexpr int input_count = 8;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 1;  ///< index of the final polynomial's unknown
@@ -197,6 +189,137 @@ struct Model09 {
       {"RR-PR-PP", { 4, 5, 2, 3, 0, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
+    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
+    const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
+        + u.phi_D.sin * sin_CEG;
+    const Scalar sin_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * sin_CEG
+        - u.phi_D.sin * cos_CEG;
+    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
+    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
+    const Scalar cos_phi_B_plus_psi_C_BC_minus_FG = cos_CEG * q.theta_FG.cos
+        + sin_CEG * q.theta_FG.sin;
+    const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = sin_CEG * q.theta_FG.cos
+        - cos_CEG * q.theta_FG.sin;
+    const Scalar t01 = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
+        - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
+    const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
+    const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
+    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = d.h_C_CEG - d.y_G_CEG;
+    const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
+        - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
+    const Scalar t04 = t03 * cos_phi_B_plus_psi_C_BC_minus_FG
+        + t02 * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
+    const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
+    const Scalar t05 = d.FG * d.psi_C_BC.sin, pivot_product = t05 * cos_phi_D_minus_FG;
+    // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_cos_phi_D_minus_FG = inverse * t05, t06 = inverse * cos_phi_D_minus_FG;
+    const Scalar inverse_sin_psi_C_BC = d.FG * t06, inverse_FG = t06 * d.psi_C_BC.sin;
+    const Scalar t07 = inverse_cos_phi_D_minus_FG * inverse_sin_psi_C_BC;
+    const Scalar s_B_per_across_slide_D = cos_phi_B_plus_psi_C_BC_minus_FG * t07;
+    const Scalar s_C_per_across_slide_D = cos_phi_B_minus_FG * t07;
+    const Scalar t08 = cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D - t08;
+    const Scalar FG_per_across_slide_D = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_D
+        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_D);
+    const Scalar s_B_per_along_FG = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t07;
+    const Scalar s_C_per_along_FG = -sin_phi_B_minus_phi_D * t07;
+    const Scalar s_D_per_along_FG = cos_phi_B_minus_phi_D * s_B_per_along_FG
+        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_along_FG;
+    const Scalar t09 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
+    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t09);
+    const Scalar FG_per_x_D = FG_per_across_slide_D * u.phi_D.sin;
+    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
+    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_C_per_x_D = u.phi_D.sin * s_C_per_across_slide_D;
+    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_D_per_x_F = -q.theta_FG.cos * s_D_per_along_FG;
+    const Scalar s_D_per_x_B = -s_D_per_x_D - s_D_per_x_F;
+    const Scalar FG_per_y_D = -FG_per_across_slide_D * u.phi_D.cos;
+    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
+    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_C_per_y_D = -u.phi_D.cos * s_C_per_across_slide_D;
+    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_D_per_y_F = -q.theta_FG.sin * s_D_per_along_FG;
+    const Scalar s_D_per_y_B = -s_D_per_y_D - s_D_per_y_F;
+    const Scalar FG_per_phi_B = FG_per_along_FG * phi_B_across_FG
+        - FG_per_across_slide_D * phi_B_along_slide_D - inverse_FG * phi_B_along_FG;
+    const Scalar s_B_per_phi_B = phi_B_across_FG * s_B_per_along_FG
+        - phi_B_along_slide_D * s_B_per_across_slide_D;
+    const Scalar s_C_per_phi_B = phi_B_across_FG * s_C_per_along_FG
+        - phi_B_along_slide_D * s_C_per_across_slide_D;
+    const Scalar s_D_per_phi_B = phi_B_across_slide_D + phi_B_across_FG * s_D_per_along_FG
+        - phi_B_along_slide_D * s_D_per_across_slide_D;
+    const Scalar FG_per_phi_D = -FG_per_across_slide_D * q.s_D;
+    const Scalar s_B_per_phi_D = -q.s_D * s_B_per_across_slide_D;
+    const Scalar s_C_per_phi_D = -q.s_D * s_C_per_across_slide_D;
+    const Scalar s_D_per_phi_D = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    const Scalar t10 = inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+    const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
+    const Scalar t12 = sin_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
+    const Scalar t13 = sin_phi_B_plus_psi_C_BC_minus_phi_D
+        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = -FG_per_across_slide_D * cos_phi_B_plus_psi_C_BC_minus_phi_D - t10;
+      S_d(0, 1) = FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
+          + inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
+      S_d(0, 2) = t10;
+      S_d(0, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
+          - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG - t03 * FG_per_along_FG)
+          - FG_per_across_slide_D * t01;
+      S_d(0, 4) = FG_per_across_slide_D;  S_d(0, 5) = -FG_per_along_FG;
+      S_d(1, 0) = t11 - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
+      S_d(1, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;  S_d(1, 2) = -t11;
+      S_d(1, 3) = t04 * s_B_per_along_FG - t01 * s_B_per_across_slide_D;
+      S_d(1, 4) = s_B_per_across_slide_D;  S_d(1, 5) = -s_B_per_along_FG;
+      S_d(2, 0) = t09 - t08;  S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
+      S_d(2, 2) = -t09;  S_d(2, 3) = t04 * s_C_per_along_FG - t01 * s_C_per_across_slide_D;
+      S_d(2, 4) = s_C_per_across_slide_D;  S_d(2, 5) = -s_C_per_along_FG;
+      S_d(3, 0) = t12 + t13;  S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
+      S_d(3, 2) = -t12;
+      S_d(3, 3) = t04 * s_D_per_along_FG + q.s_C * t13
+          + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
+          + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D);
+      S_d(3, 4) = s_D_per_across_slide_D;  S_d(3, 5) = -s_D_per_along_FG;
+      S_u(0, 0) = FG_per_x_B;  S_u(0, 1) = FG_per_y_B;  S_u(0, 2) = FG_per_phi_B;
+      S_u(0, 3) = FG_per_x_D;  S_u(0, 4) = FG_per_y_D;  S_u(0, 5) = FG_per_phi_D;
+      S_u(0, 6) = FG_per_x_F;  S_u(0, 7) = FG_per_y_F;
+      S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+      S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_phi_D;
+      S_u(1, 6) = s_B_per_x_F;  S_u(1, 7) = s_B_per_y_F;
+      S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
+      S_u(2, 3) = s_C_per_x_D;  S_u(2, 4) = s_C_per_y_D;  S_u(2, 5) = s_C_per_phi_D;
+      S_u(2, 6) = s_C_per_x_F;  S_u(2, 7) = s_C_per_y_F;
+      S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = s_D_per_phi_B;
+      S_u(3, 3) = s_D_per_x_D;  S_u(3, 4) = s_D_per_y_D;  S_u(3, 5) = s_D_per_phi_D;
+      S_u(3, 6) = s_D_per_x_F;  S_u(3, 7) = s_D_per_y_F;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -270,113 +393,6 @@ struct Model09 {
     F_u(1, 5) = slide_D_x + DE_x;
     F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + t02;  F_u(2, 6) = Scalar(1);
     F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -CG_x - t03;  F_u(3, 7) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_B_y - slide_C_y;
-    const Scalar t03 = slide_B_x - slide_C_x;
-    rhs(0) = (slide_D_y + DE_y) * omega_D + v_x_B - v_x_D - (CE_y + t02) * omega_B;
-    rhs(1) = v_y_B + (CE_x + t03) * omega_B - (slide_D_x + DE_x) * omega_D - v_y_D;
-    rhs(2) = v_x_B - v_x_F - (CG_y + t02) * omega_B;
-    rhs(3) = v_y_B + (CG_x + t03) * omega_B - v_y_F;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), a_x_F = u_second_rate(6);
-    const Scalar a_y_F = u_second_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_D_x + DE_x;
-    const Scalar t03 = slide_D_y + DE_y, t04 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t05 = slide_B_x - slide_C_x, t06 = CE_x + t05, t07 = slide_B_y - slide_C_y;
-    const Scalar t08 = CE_y + t07, t09 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t10 = omega_FG * omega_FG, t11 = CG_x + t05, t12 = CG_y + t07;
-    rhs(0) = omega_D * (t02 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t03 * alpha_D + a_x_B
-        - a_x_D - omega_B * (Scalar(2) * t04 + t06 * omega_B) - t08 * alpha_B;
-    rhs(1) = omega_D * (t03 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + t06 * alpha_B
-        + omega_B * (Scalar(2) * t09 - t08 * omega_B) - t02 * alpha_D - a_y_D;
-    rhs(2) = a_x_B + FG_x * t10 - a_x_F - omega_B * (Scalar(2) * t04 + t11 * omega_B)
-        - t12 * alpha_B;
-    rhs(3) = a_y_B + FG_y * t10 + t11 * alpha_B + omega_B * (Scalar(2) * t09 - t12 * omega_B)
-        - a_y_F;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0), alpha_FG = q_second_rate(0), v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
-    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), jerk_D = u_third_rate(5);
-    const Scalar j_x_F = u_third_rate(6), j_y_F = u_third_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = d.h_C_CEG - d.y_G_CEG, CG_x = t01 * sin_CEG + d.x_G_CEG * cos_CEG;
-    const Scalar CG_y = d.x_G_CEG * sin_CEG - t01 * cos_CEG, t02 = slide_D_y + DE_y;
-    const Scalar t03 = u.phi_D.cos * v_s_D, t04 = slide_D_x + DE_x;
-    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t06 = alpha_B * t05;
-    const Scalar t07 = u.phi_D.sin * v_s_D, t08 = slide_B_y - slide_C_y, t09 = CE_y + t08;
-    const Scalar t10 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t11 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t12 = slide_B_x - slide_C_x;
-    const Scalar t13 = CE_x + t12, t14 = t11 * alpha_B, t15 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t16 = omega_FG * omega_FG, t17 = CG_y + t08, t18 = CG_x + t12;
-    rhs(0) = t02 * jerk_D + j_x_B + Scalar(3) * alpha_D * t07 - omega_D * (omega_D * (t02 * omega_D
-        - Scalar(3) * t03) - Scalar(3) * t04 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D)
-        - Scalar(3) * t06 - j_x_D - t09 * jerk_B - omega_B * (Scalar(3) * t10
-        + omega_B * (Scalar(3) * t11 - t09 * omega_B) + Scalar(3) * t13 * alpha_B);
-    rhs(1) = omega_D * (omega_D * (t04 * omega_D + Scalar(3) * t07) + Scalar(3) * t02 * alpha_D
-        - Scalar(3) * u.phi_D.cos * a_s_D) + Scalar(3) * t14 + j_y_B + t13 * jerk_B
-        + omega_B * (Scalar(3) * t15 - Scalar(3) * t09 * alpha_B - omega_B * (Scalar(3) * t05
-        + t13 * omega_B)) - t04 * jerk_D - j_y_D - Scalar(3) * t03 * alpha_D;
-    rhs(2) = j_x_B + omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t16) - Scalar(3) * t06 - j_x_F
-        - t17 * jerk_B - omega_B * (Scalar(3) * t10 + omega_B * (Scalar(3) * t11 - t17 * omega_B)
-        + Scalar(3) * t18 * alpha_B);
-    rhs(3) = Scalar(3) * t14 + j_y_B + omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t16)
-        + t18 * jerk_B + omega_B * (Scalar(3) * t15 - Scalar(3) * t17 * alpha_B
-        - omega_B * (Scalar(3) * t05 + t18 * omega_B)) - j_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -652,177 +668,6 @@ struct Model09 {
     J_inverse(3, 3) = q.theta_FG.sin * s_D_per_along_FG;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
-        + u.phi_D.sin * sin_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * sin_CEG
-        - u.phi_D.sin * cos_CEG;
-    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
-    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_FG = cos_CEG * q.theta_FG.cos
-        + sin_CEG * q.theta_FG.sin;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = sin_CEG * q.theta_FG.cos
-        - cos_CEG * q.theta_FG.sin;
-    const Scalar t01 = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
-        - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
-    const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
-        - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar t04 = t03 * cos_phi_B_plus_psi_C_BC_minus_FG
-        + t02 * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
-    const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t05 = d.FG * d.psi_C_BC.sin, pivot_product = t05 * cos_phi_D_minus_FG;
-    // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_cos_phi_D_minus_FG = inverse * t05, t06 = inverse * cos_phi_D_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t06, inverse_FG = t06 * d.psi_C_BC.sin;
-    const Scalar t07 = inverse_cos_phi_D_minus_FG * inverse_sin_psi_C_BC;
-    const Scalar s_B_per_across_slide_D = cos_phi_B_plus_psi_C_BC_minus_FG * t07;
-    const Scalar s_C_per_across_slide_D = cos_phi_B_minus_FG * t07;
-    const Scalar t08 = cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
-    const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D - t08;
-    const Scalar FG_per_across_slide_D = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_D
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_D);
-    const Scalar s_B_per_along_FG = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t07;
-    const Scalar s_C_per_along_FG = -sin_phi_B_minus_phi_D * t07;
-    const Scalar s_D_per_along_FG = cos_phi_B_minus_phi_D * s_B_per_along_FG
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_along_FG;
-    const Scalar t09 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t09);
-    const Scalar FG_per_x_D = FG_per_across_slide_D * u.phi_D.sin;
-    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar s_C_per_x_D = u.phi_D.sin * s_C_per_across_slide_D;
-    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
-    const Scalar FG_per_y_D = -FG_per_across_slide_D * u.phi_D.cos;
-    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar s_C_per_y_D = -u.phi_D.cos * s_C_per_across_slide_D;
-    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar s_D_per_x_F = -q.theta_FG.cos * s_D_per_along_FG;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar s_D_per_y_F = -q.theta_FG.sin * s_D_per_along_FG;
-    const Scalar t10 = inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
-        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    const Scalar t12 = sin_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
-    const Scalar t13 = sin_phi_B_plus_psi_C_BC_minus_phi_D
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D;
-    S_d(0, 0) = -FG_per_across_slide_D * cos_phi_B_plus_psi_C_BC_minus_phi_D - t10;
-    S_d(0, 1) = FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
-        + inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    S_d(0, 2) = t10;
-    S_d(0, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
-        - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG - t03 * FG_per_along_FG)
-        - FG_per_across_slide_D * t01;
-    S_d(0, 4) = FG_per_across_slide_D;  S_d(0, 5) = -FG_per_along_FG;
-    S_d(1, 0) = t11 - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
-    S_d(1, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;  S_d(1, 2) = -t11;
-    S_d(1, 3) = t04 * s_B_per_along_FG - t01 * s_B_per_across_slide_D;
-    S_d(1, 4) = s_B_per_across_slide_D;  S_d(1, 5) = -s_B_per_along_FG;
-    S_d(2, 0) = t09 - t08;  S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    S_d(2, 2) = -t09;  S_d(2, 3) = t04 * s_C_per_along_FG - t01 * s_C_per_across_slide_D;
-    S_d(2, 4) = s_C_per_across_slide_D;  S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t12 + t13;  S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
-    S_d(3, 2) = -t12;
-    S_d(3, 3) = t04 * s_D_per_along_FG + q.s_C * t13
-        + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
-        + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D);
-    S_d(3, 4) = s_D_per_across_slide_D;  S_d(3, 5) = -s_D_per_along_FG;
-    S_u(0, 0) = -FG_per_x_D - FG_per_x_F;  S_u(0, 1) = -FG_per_y_D - FG_per_y_F;
-    S_u(0, 2) = FG_per_along_FG * phi_B_across_FG - FG_per_across_slide_D * phi_B_along_slide_D
-        - inverse_FG * phi_B_along_FG;
-    S_u(0, 3) = FG_per_x_D;  S_u(0, 4) = FG_per_y_D;  S_u(0, 5) = -FG_per_across_slide_D * q.s_D;
-    S_u(0, 6) = FG_per_x_F;  S_u(0, 7) = FG_per_y_F;
-    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
-    S_u(1, 2) = phi_B_across_FG * s_B_per_along_FG - phi_B_along_slide_D * s_B_per_across_slide_D;
-    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = -q.s_D * s_B_per_across_slide_D;
-    S_u(1, 6) = s_B_per_x_F;  S_u(1, 7) = s_B_per_y_F;
-    S_u(2, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(2, 1) = -s_C_per_y_D - s_C_per_y_F;
-    S_u(2, 2) = phi_B_across_FG * s_C_per_along_FG - phi_B_along_slide_D * s_C_per_across_slide_D;
-    S_u(2, 3) = s_C_per_x_D;  S_u(2, 4) = s_C_per_y_D;  S_u(2, 5) = -q.s_D * s_C_per_across_slide_D;
-    S_u(2, 6) = s_C_per_x_F;  S_u(2, 7) = s_C_per_y_F;
-    S_u(3, 0) = -s_D_per_x_D - s_D_per_x_F;  S_u(3, 1) = -s_D_per_y_D - s_D_per_y_F;
-    S_u(3, 2) = phi_B_across_slide_D + phi_B_across_FG * s_D_per_along_FG
-        - phi_B_along_slide_D * s_D_per_across_slide_D;
-    S_u(3, 3) = s_D_per_x_D;  S_u(3, 4) = s_D_per_y_D;
-    S_u(3, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;  S_u(3, 6) = s_D_per_x_F;
-    S_u(3, 7) = s_D_per_y_F;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
-        + u.phi_D.sin * sin_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * sin_CEG
-        - u.phi_D.sin * cos_CEG;
-    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
-    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_FG = cos_CEG * q.theta_FG.cos
-        + sin_CEG * q.theta_FG.sin;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = sin_CEG * q.theta_FG.cos
-        - cos_CEG * q.theta_FG.sin;
-    const Scalar phi_B_along_slide_D = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
-        - q.s_B * cos_phi_B_minus_phi_D - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
-    const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t01 = q.s_C - d.x_G_CEG, t02 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar phi_B_along_FG = t01 * cos_phi_B_plus_psi_C_BC_minus_FG
-        - t02 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar phi_B_across_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
-        + t01 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * sin_phi_B_minus_FG;
-    const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t03 = d.FG * d.psi_C_BC.sin, pivot_product = t03 * cos_phi_D_minus_FG;
-    // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_cos_phi_D_minus_FG = inverse * t03, t04 = inverse * cos_phi_D_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t04, inverse_FG = t04 * d.psi_C_BC.sin;
-    const Scalar t05 = v_x_B - v_x_D, t06 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_D = u.phi_D.cos * t05 + u.phi_D.sin * t06
-        + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
-    const Scalar velocity_across_slide_D = u.phi_D.cos * t06 - u.phi_D.sin * t05 - q.s_D * omega_D
-        - phi_B_along_slide_D * omega_B;
-    const Scalar t07 = v_x_B - v_x_F, t08 = v_y_B - v_y_F;
-    const Scalar velocity_along_FG = q.theta_FG.cos * t07 + q.theta_FG.sin * t08
-        + phi_B_across_FG * omega_B;
-    const Scalar velocity_across_FG = q.theta_FG.cos * t08 - q.theta_FG.sin * t07
-        - phi_B_along_FG * omega_B;
-    const Scalar t09 = inverse_sin_psi_C_BC * inverse_cos_phi_D_minus_FG;
-    const Scalar v_s_B = -t09 * (sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_along_FG
-        - cos_phi_B_plus_psi_C_BC_minus_FG * velocity_across_slide_D);
-    const Scalar v_s_C = -t09 * (sin_phi_B_minus_phi_D * velocity_along_FG
-        - cos_phi_B_minus_FG * velocity_across_slide_D);
-    const Scalar v_s_D = cos_phi_B_minus_phi_D * v_s_B + velocity_along_slide_D
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
-    const Scalar omega_FG = inverse_FG * (sin_phi_B_minus_FG * v_s_B + velocity_across_FG
-        - sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
-    q_rate(0) = omega_FG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -910,6 +755,15 @@ struct Model09 {
     q_second_rate(3) = a_s_D;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -918,172 +772,60 @@ struct Model09 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
     const Scalar v_x_F = u_rate(6), a_x_F = u_second_rate(6), v_y_F = u_rate(7);
     const Scalar a_y_F = u_second_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
-        + u.phi_D.sin * sin_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * sin_CEG
-        - u.phi_D.sin * cos_CEG;
-    const Scalar cos_phi_B_minus_FG = u.phi_B.cos * q.theta_FG.cos + u.phi_B.sin * q.theta_FG.sin;
-    const Scalar sin_phi_B_minus_FG = u.phi_B.sin * q.theta_FG.cos - u.phi_B.cos * q.theta_FG.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_FG = cos_CEG * q.theta_FG.cos
-        + sin_CEG * q.theta_FG.sin;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_FG = sin_CEG * q.theta_FG.cos
-        - cos_CEG * q.theta_FG.sin;
-    const Scalar t01 = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
-        - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
-    const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t02 = q.s_C - d.x_G_CEG, t03 = d.h_C_CEG - d.y_G_CEG;
-    const Scalar phi_B_along_FG = t02 * cos_phi_B_plus_psi_C_BC_minus_FG
-        - t03 * sin_phi_B_plus_psi_C_BC_minus_FG - q.s_B * cos_phi_B_minus_FG;
-    const Scalar t04 = t03 * cos_phi_B_plus_psi_C_BC_minus_FG
-        + t02 * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar phi_B_across_FG = t04 - q.s_B * sin_phi_B_minus_FG;
-    const Scalar cos_phi_D_minus_FG = u.phi_D.cos * q.theta_FG.cos + u.phi_D.sin * q.theta_FG.sin;
-    const Scalar t05 = d.FG * d.psi_C_BC.sin, pivot_product = t05 * cos_phi_D_minus_FG;
-    // A zero divisor means cos(phi_D - theta_FG) = 0, or sin(psi_C_BC) = 0, or FG = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_cos_phi_D_minus_FG = inverse * t05, t06 = inverse * cos_phi_D_minus_FG;
-    const Scalar inverse_sin_psi_C_BC = d.FG * t06, inverse_FG = t06 * d.psi_C_BC.sin;
-    const Scalar t07 = inverse_cos_phi_D_minus_FG * inverse_sin_psi_C_BC;
-    const Scalar s_B_per_across_slide_D = cos_phi_B_plus_psi_C_BC_minus_FG * t07;
-    const Scalar s_C_per_across_slide_D = cos_phi_B_minus_FG * t07;
-    const Scalar t08 = cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
-    const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D - t08;
-    const Scalar FG_per_across_slide_D = inverse_FG * (sin_phi_B_minus_FG * s_B_per_across_slide_D
-        - sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_across_slide_D);
-    const Scalar s_B_per_along_FG = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t07;
-    const Scalar s_C_per_along_FG = -sin_phi_B_minus_phi_D * t07;
-    const Scalar s_D_per_along_FG = cos_phi_B_minus_phi_D * s_B_per_along_FG
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_along_FG;
-    const Scalar t09 = sin_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    const Scalar FG_per_along_FG = inverse_FG * (sin_phi_B_minus_FG * s_B_per_along_FG - t09);
-    const Scalar FG_per_x_D = FG_per_across_slide_D * u.phi_D.sin;
-    const Scalar FG_per_x_F = inverse_FG * q.theta_FG.sin - FG_per_along_FG * q.theta_FG.cos;
-    const Scalar FG_per_x_B = -FG_per_x_D - FG_per_x_F;
-    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar s_B_per_x_F = -q.theta_FG.cos * s_B_per_along_FG;
-    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
-    const Scalar s_C_per_x_D = u.phi_D.sin * s_C_per_across_slide_D;
-    const Scalar s_C_per_x_F = -q.theta_FG.cos * s_C_per_along_FG;
-    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
-    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
-    const Scalar s_D_per_x_F = -q.theta_FG.cos * s_D_per_along_FG;
-    const Scalar s_D_per_x_B = -s_D_per_x_D - s_D_per_x_F;
-    const Scalar FG_per_y_D = -FG_per_across_slide_D * u.phi_D.cos;
-    const Scalar FG_per_y_F = -inverse_FG * q.theta_FG.cos - FG_per_along_FG * q.theta_FG.sin;
-    const Scalar FG_per_y_B = -FG_per_y_D - FG_per_y_F;
-    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar s_B_per_y_F = -q.theta_FG.sin * s_B_per_along_FG;
-    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
-    const Scalar s_C_per_y_D = -u.phi_D.cos * s_C_per_across_slide_D;
-    const Scalar s_C_per_y_F = -q.theta_FG.sin * s_C_per_along_FG;
-    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
-    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar s_D_per_y_F = -q.theta_FG.sin * s_D_per_along_FG;
-    const Scalar s_D_per_y_B = -s_D_per_y_D - s_D_per_y_F;
-    const Scalar FG_per_phi_B = FG_per_along_FG * phi_B_across_FG
-        - FG_per_across_slide_D * phi_B_along_slide_D - inverse_FG * phi_B_along_FG;
-    const Scalar s_B_per_phi_B = phi_B_across_FG * s_B_per_along_FG
-        - phi_B_along_slide_D * s_B_per_across_slide_D;
-    const Scalar s_C_per_phi_B = phi_B_across_FG * s_C_per_along_FG
-        - phi_B_along_slide_D * s_C_per_across_slide_D;
-    const Scalar s_D_per_phi_B = phi_B_across_slide_D + phi_B_across_FG * s_D_per_along_FG
-        - phi_B_along_slide_D * s_D_per_across_slide_D;
-    const Scalar FG_per_phi_D = -FG_per_across_slide_D * q.s_D;
-    const Scalar s_B_per_phi_D = -q.s_D * s_B_per_across_slide_D;
-    const Scalar s_C_per_phi_D = -q.s_D * s_C_per_across_slide_D;
-    const Scalar s_D_per_phi_D = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
-    const Scalar omega_FG = FG_per_x_B * v_x_B + FG_per_y_B * v_y_B + FG_per_phi_B * omega_B
-        + FG_per_x_D * v_x_D + FG_per_y_D * v_y_D + FG_per_phi_D * omega_D + FG_per_x_F * v_x_F
-        + FG_per_y_F * v_y_F;
-    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
-        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_phi_D * omega_D + s_B_per_x_F * v_x_F
-        + s_B_per_y_F * v_y_F;
-    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_phi_B * omega_B
-        + s_C_per_x_D * v_x_D + s_C_per_y_D * v_y_D + s_C_per_phi_D * omega_D + s_C_per_x_F * v_x_F
-        + s_C_per_y_F * v_y_F;
-    const Scalar v_s_D = s_D_per_x_B * v_x_B + s_D_per_y_B * v_y_B + s_D_per_phi_B * omega_B
-        + s_D_per_x_D * v_x_D + s_D_per_y_D * v_y_D + s_D_per_phi_D * omega_D + s_D_per_x_F * v_x_F
-        + s_D_per_y_F * v_y_F;
+    const Scalar omega_FG = s.FG_per_x_B * v_x_B + s.FG_per_y_B * v_y_B + s.FG_per_phi_B * omega_B
+        + s.FG_per_x_D * v_x_D + s.FG_per_y_D * v_y_D + s.FG_per_phi_D * omega_D
+        + s.FG_per_x_F * v_x_F + s.FG_per_y_F * v_y_F;
+    const Scalar v_s_B = s.s_B_per_x_B * v_x_B + s.s_B_per_y_B * v_y_B + s.s_B_per_phi_B * omega_B
+        + s.s_B_per_x_D * v_x_D + s.s_B_per_y_D * v_y_D + s.s_B_per_phi_D * omega_D
+        + s.s_B_per_x_F * v_x_F + s.s_B_per_y_F * v_y_F;
+    const Scalar v_s_C = s.s_C_per_x_B * v_x_B + s.s_C_per_y_B * v_y_B + s.s_C_per_phi_B * omega_B
+        + s.s_C_per_x_D * v_x_D + s.s_C_per_y_D * v_y_D + s.s_C_per_phi_D * omega_D
+        + s.s_C_per_x_F * v_x_F + s.s_C_per_y_F * v_y_F;
+    const Scalar v_s_D = s.s_D_per_x_B * v_x_B + s.s_D_per_y_B * v_y_B + s.s_D_per_phi_B * omega_B
+        + s.s_D_per_x_D * v_x_D + s.s_D_per_y_D * v_y_D + s.s_D_per_phi_D * omega_D
+        + s.s_D_per_x_F * v_x_F + s.s_D_per_y_F * v_y_F;
     const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D
-        - omega_B * (Scalar(2) * sin_phi_B_minus_phi_D * v_s_B
-        - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C - phi_B_along_slide_D * omega_B);
-    const Scalar centripetal_across_slide_D = omega_B * (Scalar(2) * cos_phi_B_minus_phi_D * v_s_B
-        + phi_B_across_slide_D * omega_B - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C)
-        - omega_D * (d.h_D_DE * omega_D + Scalar(2) * v_s_D);
+        - omega_B * (Scalar(2) * s.sin_phi_B_minus_phi_D * v_s_B
+        - Scalar(2) * s.sin_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C
+        - s.phi_B_along_slide_D * omega_B);
+    const Scalar centripetal_across_slide_D = omega_B * (Scalar(2) * s.cos_phi_B_minus_phi_D * v_s_B
+        + s.phi_B_across_slide_D * omega_B
+        - Scalar(2) * s.cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C) - omega_D * (d.h_D_DE * omega_D
+        + Scalar(2) * v_s_D);
     const Scalar centripetal_along_FG = d.FG * omega_FG * omega_FG
-        - omega_B * (Scalar(2) * sin_phi_B_minus_FG * v_s_B
-        - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C - phi_B_along_FG * omega_B);
-    const Scalar centripetal_across_FG = omega_B * (Scalar(2) * cos_phi_B_minus_FG * v_s_B
-        + phi_B_across_FG * omega_B - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
-    const Scalar t10 = inverse_FG * cos_phi_B_plus_psi_C_BC_minus_FG
-        - FG_per_along_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    const Scalar t11 = sin_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;
-    const Scalar t12 = sin_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
-    const Scalar t13 = sin_phi_B_plus_psi_C_BC_minus_phi_D
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D;
-    S_d(0, 0) = -FG_per_across_slide_D * cos_phi_B_plus_psi_C_BC_minus_phi_D - t10;
-    S_d(0, 1) = FG_per_along_FG * cos_phi_B_plus_psi_C_BC_minus_FG
-        + inverse_FG * sin_phi_B_plus_psi_C_BC_minus_FG;
-    S_d(0, 2) = t10;
-    S_d(0, 3) = sin_phi_B_plus_psi_C_BC_minus_FG * (t03 * inverse_FG + t02 * FG_per_along_FG)
-        - cos_phi_B_plus_psi_C_BC_minus_FG * (t02 * inverse_FG - t03 * FG_per_along_FG)
-        - FG_per_across_slide_D * t01;
-    S_d(0, 4) = FG_per_across_slide_D;  S_d(0, 5) = -FG_per_along_FG;
-    S_d(1, 0) = t11 - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
-    S_d(1, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_B_per_along_FG;  S_d(1, 2) = -t11;
-    S_d(1, 3) = t04 * s_B_per_along_FG - t01 * s_B_per_across_slide_D;
-    S_d(1, 4) = s_B_per_across_slide_D;  S_d(1, 5) = -s_B_per_along_FG;
-    S_d(2, 0) = t09 - t08;  S_d(2, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_C_per_along_FG;
-    S_d(2, 2) = -t09;  S_d(2, 3) = t04 * s_C_per_along_FG - t01 * s_C_per_across_slide_D;
-    S_d(2, 4) = s_C_per_across_slide_D;  S_d(2, 5) = -s_C_per_along_FG;
-    S_d(3, 0) = t12 + t13;  S_d(3, 1) = cos_phi_B_plus_psi_C_BC_minus_FG * s_D_per_along_FG;
-    S_d(3, 2) = -t12;
-    S_d(3, 3) = t04 * s_D_per_along_FG + q.s_C * t13
-        + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
-        + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D);
-    S_d(3, 4) = s_D_per_across_slide_D;  S_d(3, 5) = -s_D_per_along_FG;
-    S_u(0, 0) = FG_per_x_B;  S_u(0, 1) = FG_per_y_B;  S_u(0, 2) = FG_per_phi_B;
-    S_u(0, 3) = FG_per_x_D;  S_u(0, 4) = FG_per_y_D;  S_u(0, 5) = FG_per_phi_D;
-    S_u(0, 6) = FG_per_x_F;  S_u(0, 7) = FG_per_y_F;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_phi_D;
-    S_u(1, 6) = s_B_per_x_F;  S_u(1, 7) = s_B_per_y_F;
-    S_u(2, 0) = s_C_per_x_B;  S_u(2, 1) = s_C_per_y_B;  S_u(2, 2) = s_C_per_phi_B;
-    S_u(2, 3) = s_C_per_x_D;  S_u(2, 4) = s_C_per_y_D;  S_u(2, 5) = s_C_per_phi_D;
-    S_u(2, 6) = s_C_per_x_F;  S_u(2, 7) = s_C_per_y_F;
-    S_u(3, 0) = s_D_per_x_B;  S_u(3, 1) = s_D_per_y_B;  S_u(3, 2) = s_D_per_phi_B;
-    S_u(3, 3) = s_D_per_x_D;  S_u(3, 4) = s_D_per_y_D;  S_u(3, 5) = s_D_per_phi_D;
-    S_u(3, 6) = s_D_per_x_F;  S_u(3, 7) = s_D_per_y_F;
+        - omega_B * (Scalar(2) * s.sin_phi_B_minus_FG * v_s_B
+        - Scalar(2) * s.sin_phi_B_plus_psi_C_BC_minus_FG * v_s_C - s.phi_B_along_FG * omega_B);
+    const Scalar centripetal_across_FG = omega_B * (Scalar(2) * s.cos_phi_B_minus_FG * v_s_B
+        + s.phi_B_across_FG * omega_B - Scalar(2) * s.cos_phi_B_plus_psi_C_BC_minus_FG * v_s_C);
     q_rate(0) = omega_FG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_C;  q_rate(3) = v_s_D;
-    q_second_rate(0) = FG_per_x_B * a_x_B + FG_per_y_B * a_y_B + FG_per_phi_B * alpha_B
-        + FG_per_x_D * a_x_D + FG_per_y_D * a_y_D + FG_per_phi_D * alpha_D + FG_per_x_F * a_x_F
-        + FG_per_y_F * a_y_F + inverse_FG * centripetal_across_FG
-        + FG_per_across_slide_D * centripetal_across_slide_D
-        + FG_per_along_FG * centripetal_along_FG;
-    q_second_rate(1) = s_B_per_x_B * a_x_B + s_B_per_y_B * a_y_B + s_B_per_phi_B * alpha_B
-        + s_B_per_x_D * a_x_D + s_B_per_y_D * a_y_D + s_B_per_phi_D * alpha_D + s_B_per_x_F * a_x_F
-        + s_B_per_y_F * a_y_F + s_B_per_across_slide_D * centripetal_across_slide_D
-        + s_B_per_along_FG * centripetal_along_FG;
-    q_second_rate(2) = s_C_per_x_B * a_x_B + s_C_per_y_B * a_y_B + s_C_per_phi_B * alpha_B
-        + s_C_per_x_D * a_x_D + s_C_per_y_D * a_y_D + s_C_per_phi_D * alpha_D + s_C_per_x_F * a_x_F
-        + s_C_per_y_F * a_y_F + s_C_per_across_slide_D * centripetal_across_slide_D
-        + s_C_per_along_FG * centripetal_along_FG;
-    q_second_rate(3) = s_D_per_x_B * a_x_B + s_D_per_y_B * a_y_B + s_D_per_phi_B * alpha_B
-        + s_D_per_x_D * a_x_D + s_D_per_y_D * a_y_D + s_D_per_phi_D * alpha_D + s_D_per_x_F * a_x_F
-        + s_D_per_y_F * a_y_F + s_D_per_across_slide_D * centripetal_across_slide_D
-        + s_D_per_along_FG * centripetal_along_FG + centripetal_along_slide_D;
+    q_second_rate(0) = s.FG_per_x_B * a_x_B + s.FG_per_y_B * a_y_B + s.FG_per_phi_B * alpha_B
+        + s.FG_per_x_D * a_x_D + s.FG_per_y_D * a_y_D + s.FG_per_phi_D * alpha_D
+        + s.FG_per_x_F * a_x_F + s.FG_per_y_F * a_y_F + s.inverse_FG * centripetal_across_FG
+        + s.FG_per_across_slide_D * centripetal_across_slide_D
+        + s.FG_per_along_FG * centripetal_along_FG;
+    q_second_rate(1) = s.s_B_per_x_B * a_x_B + s.s_B_per_y_B * a_y_B + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_x_D * a_x_D + s.s_B_per_y_D * a_y_D + s.s_B_per_phi_D * alpha_D
+        + s.s_B_per_x_F * a_x_F + s.s_B_per_y_F * a_y_F
+        + s.s_B_per_across_slide_D * centripetal_across_slide_D
+        + s.s_B_per_along_FG * centripetal_along_FG;
+    q_second_rate(2) = s.s_C_per_x_B * a_x_B + s.s_C_per_y_B * a_y_B + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_x_D * a_x_D + s.s_C_per_y_D * a_y_D + s.s_C_per_phi_D * alpha_D
+        + s.s_C_per_x_F * a_x_F + s.s_C_per_y_F * a_y_F
+        + s.s_C_per_across_slide_D * centripetal_across_slide_D
+        + s.s_C_per_along_FG * centripetal_along_FG;
+    q_second_rate(3) = s.s_D_per_x_B * a_x_B + s.s_D_per_y_B * a_y_B + s.s_D_per_phi_B * alpha_B
+        + s.s_D_per_x_D * a_x_D + s.s_D_per_y_D * a_y_D + s.s_D_per_phi_D * alpha_D
+        + s.s_D_per_x_F * a_x_F + s.s_D_per_y_F * a_y_F
+        + s.s_D_per_across_slide_D * centripetal_across_slide_D
+        + s.s_D_per_along_FG * centripetal_along_FG + centripetal_along_slide_D;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -26,18 +26,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: the group is no structure.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     26, 26, 0
 ///   jacobian:                     10, 4, 0
 ///   dimension_jacobian:           20, 12, 0
 ///   input_jacobian:               24, 16, 0
-///   velocity_rhs:                 30, 26, 0
-///   acceleration_rhs:             63, 44, 0
-///   jerk_rhs:                     111, 68, 0
 ///   curvature_rhs:                113, 70, 0
 ///   link_poses:                   12, 10, 0
 ///   pose_jacobians:               12, 6, 0
@@ -58,7 +51,7 @@ struct Model10 {
   static constexpr int input_count = 8;
   static constexpr int compatibility_count = 1;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -243,130 +236,6 @@ struct Model10 {
     F_u(1, 5) = slide_D_x - slide_E_x;
     F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + t01;  F_u(2, 6) = Scalar(1);
     F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -CG_x - t02;  F_u(3, 7) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
-    const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
-    const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
-    const Scalar t01 = slide_B_y - slide_C_y, t02 = slide_B_x - slide_C_x;
-    rhs(0) = (slide_D_y - slide_E_y) * omega_D + v_x_B - v_x_D - (CE_y + t01) * omega_B;
-    rhs(1) = v_y_B + (CE_x + t02) * omega_B - (slide_D_x - slide_E_x) * omega_D - v_y_D;
-    rhs(2) = v_x_B - v_x_F - (CG_y + t01) * omega_B;
-    rhs(3) = v_y_B + (CG_x + t02) * omega_B - v_y_F;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0), v_s_B = q_rate(1), v_s_C = q_rate(2), v_s_D = q_rate(3);
-    const Scalar v_s_E = q_rate(4), a_x_B = u_second_rate(0), a_y_B = u_second_rate(1);
-    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), a_x_D = u_second_rate(3);
-    const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
-    const Scalar a_x_F = u_second_rate(6), a_y_F = u_second_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
-    const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
-    const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = slide_D_x - slide_E_x, t02 = slide_D_y - slide_E_y;
-    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t04 = slide_B_x - slide_C_x;
-    const Scalar t05 = CE_x + t04, t06 = slide_B_y - slide_C_y, t07 = CE_y + t06;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t09 = omega_FG * omega_FG;
-    const Scalar t10 = CG_x + t04, t11 = CG_y + t06;
-    rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
-        - Scalar(2) * sin_slide_E * v_s_E) + t02 * alpha_D + a_x_B - a_x_D
-        - omega_B * (Scalar(2) * t03 + t05 * omega_B) - t07 * alpha_B;
-    rhs(1) = omega_D * (t02 * omega_D + Scalar(2) * cos_slide_E * v_s_E
-        - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + t05 * alpha_B + omega_B * (Scalar(2) * t08
-        - t07 * omega_B) - t01 * alpha_D - a_y_D;
-    rhs(2) = a_x_B + FG_x * t09 - a_x_F - omega_B * (Scalar(2) * t03 + t10 * omega_B)
-        - t11 * alpha_B;
-    rhs(3) = a_y_B + FG_y * t09 + t10 * alpha_B + omega_B * (Scalar(2) * t08 - t11 * omega_B)
-        - a_y_F;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_FG = q_rate(0), alpha_FG = q_second_rate(0), v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1), v_s_C = q_rate(2), a_s_C = q_second_rate(2);
-    const Scalar v_s_D = q_rate(3), a_s_D = q_second_rate(3), v_s_E = q_rate(4);
-    const Scalar a_s_E = q_second_rate(4), j_x_B = u_third_rate(0), j_y_B = u_third_rate(1);
-    const Scalar omega_B = u_rate(2), alpha_B = u_second_rate(2), jerk_B = u_third_rate(2);
-    const Scalar j_x_D = u_third_rate(3), j_y_D = u_third_rate(4), omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5), jerk_D = u_third_rate(5), j_x_F = u_third_rate(6);
-    const Scalar j_y_F = u_third_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CG_x = d.h_C_CEG * sin_CEG;
-    const Scalar CE_x = CG_x - d.h_E_CEG * (sin_CEG * d.psi_E_CEG.cos + cos_CEG * d.psi_E_CEG.sin);
-    const Scalar CG_y = -d.h_C_CEG * cos_CEG;
-    const Scalar CE_y = d.h_E_CEG * (cos_CEG * d.psi_E_CEG.cos - sin_CEG * d.psi_E_CEG.sin) + CG_y;
-    const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
-    const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
-    const Scalar FG_x = d.FG * q.theta_FG.cos, FG_y = d.FG * q.theta_FG.sin;
-    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t02 = alpha_B * t01;
-    const Scalar t03 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E, t04 = slide_D_y - slide_E_y;
-    const Scalar t05 = slide_B_y - slide_C_y, t06 = CE_y + t05;
-    const Scalar t07 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t09 = slide_B_x - slide_C_x;
-    const Scalar t10 = CE_x + t09, t11 = slide_D_x - slide_E_x;
-    const Scalar t12 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E, t13 = t08 * alpha_B;
-    const Scalar t14 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C, t15 = omega_FG * omega_FG;
-    const Scalar t16 = CG_y + t05, t17 = CG_x + t09;
-    rhs(0) = Scalar(3) * alpha_D * t03 + t04 * jerk_D + j_x_B + omega_D * (Scalar(3) * t11 * alpha_D
-        + Scalar(3) * u.phi_D.sin * a_s_D - Scalar(3) * sin_slide_E * a_s_E
-        - omega_D * (t04 * omega_D - Scalar(3) * t12)) - Scalar(3) * t02 - j_x_D - t06 * jerk_B
-        - omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - t06 * omega_B)
-        + Scalar(3) * t10 * alpha_B);
-    rhs(1) = Scalar(3) * t13 + j_y_B + t10 * jerk_B + omega_D * (Scalar(3) * t04 * alpha_D
-        + Scalar(3) * cos_slide_E * a_s_E + omega_D * (Scalar(3) * t03 + t11 * omega_D)
-        - Scalar(3) * u.phi_D.cos * a_s_D) + omega_B * (Scalar(3) * t14 - Scalar(3) * t06 * alpha_B
-        - omega_B * (Scalar(3) * t01 + t10 * omega_B)) - Scalar(3) * t12 * alpha_D - t11 * jerk_D
-        - j_y_D;
-    rhs(2) = j_x_B + omega_FG * (Scalar(3) * FG_x * alpha_FG - FG_y * t15) - Scalar(3) * t02 - j_x_F
-        - t16 * jerk_B - omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - t16 * omega_B)
-        + Scalar(3) * t17 * alpha_B);
-    rhs(3) = Scalar(3) * t13 + j_y_B + omega_FG * (Scalar(3) * FG_y * alpha_FG + FG_x * t15)
-        + t17 * jerk_B + omega_B * (Scalar(3) * t14 - Scalar(3) * t16 * alpha_B
-        - omega_B * (Scalar(3) * t01 + t17 * omega_B)) - j_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

@@ -28,18 +28,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: link CEG does not close exactly one loop.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     22, 22, 0
 ///   jacobian:                     22, 16, 0
 ///   dimension_jacobian:           18, 10, 0
 ///   input_jacobian:               0, 0, 0
-///   velocity_rhs:                 0, 4, 0
-///   acceleration_rhs:             44, 32, 0
-///   jerk_rhs:                     74, 48, 0
 ///   curvature_rhs:                66, 43, 0
 ///   link_poses:                   12, 8, 0
 ///   pose_jacobians:               4, 2, 0
@@ -48,9 +41,8 @@ namespace assur::triad {
 ///   pose_curvatures:              16, 6, 0
 ///   degeneracies:                 8, 11, 0
 ///   inverse_jacobian:             46, 22, 1
-///   sensitivities:                60, 38, 1
-///   velocity:                     36, 28, 1
 ///   motion:                       68, 52, 1
+///   sensitivities:                60, 38, 1
 ///   sensitivities_and_motion:     134, 94, 1
 ///   position_polynomial:          22, 16, 0
 ///   second_equations:             16, 17, 0
@@ -68,7 +60,7 @@ struct Model11 {
   static constexpr int input_count = 6;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 2;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -182,6 +174,93 @@ struct Model11 {
       {"RP-RP-RP", { 0, 1, 2, 3, 4, 5 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
+    const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
+    const Scalar CEG_along_slide_E = q.s_C * d.psi_E_CEG.cos - q.s_E - d.h_C_BC * d.psi_E_CEG.sin;
+    const Scalar CEG_across_slide_E = d.h_E_DE - q.s_C * d.psi_E_CEG.sin
+        - d.h_C_BC * d.psi_E_CEG.cos;
+    const Scalar CEG_along_slide_G = q.s_C * d.psi_G_CEG.cos - q.s_G - d.h_C_BC * d.psi_G_CEG.sin;
+    const Scalar t01 = d.h_G_CEG - d.h_G_FG;
+    const Scalar CEG_across_slide_G = -q.s_C * d.psi_G_CEG.sin - d.h_C_BC * d.psi_G_CEG.cos - t01;
+    const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
+        - CEG_along_slide_E * d.psi_G_CEG.sin;
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
+    const Scalar CEG_per_across_slide_E = -inverse * d.psi_G_CEG.sin;
+    const Scalar s_C_per_across_slide_E = -CEG_along_slide_G * inverse;
+    const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
+        - CEG_across_slide_G * CEG_per_across_slide_E;
+    const Scalar t02 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
+    const Scalar s_E_per_across_slide_E = t02 - CEG_per_across_slide_E * CEG_across_slide_E;
+    const Scalar CEG_per_across_slide_G = inverse * d.psi_E_CEG.sin;
+    const Scalar s_C_per_across_slide_G = CEG_along_slide_E * inverse;
+    const Scalar t03 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = t03 - CEG_across_slide_G * CEG_per_across_slide_G;
+    const Scalar s_E_per_across_slide_G = d.psi_E_CEG.cos * s_C_per_across_slide_G
+        - CEG_across_slide_E * CEG_per_across_slide_G;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_E * sin_DE;
+    const Scalar CEG_per_x_F = CEG_per_across_slide_G * sin_FG;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
+    const Scalar s_C_per_x_F = s_C_per_across_slide_G * sin_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_x_F = sin_FG * s_E_per_across_slide_G;
+    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
+    const Scalar s_G_per_x_D = sin_DE * s_G_per_across_slide_E;
+    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * cos_DE;
+    const Scalar CEG_per_y_F = -CEG_per_across_slide_G * cos_FG;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
+    const Scalar s_C_per_y_F = -s_C_per_across_slide_G * cos_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_y_F = -s_E_per_across_slide_G * cos_FG;
+    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
+    const Scalar s_G_per_y_D = -cos_DE * s_G_per_across_slide_E;
+    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = q.s_E * CEG_per_across_slide_E;  S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
+      S_d(0, 2) = CEG_per_across_slide_G;
+      S_d(0, 3) = CEG_per_across_slide_E * d.psi_E_CEG.cos
+          + CEG_per_across_slide_G * d.psi_G_CEG.cos;
+      S_d(0, 4) = -CEG_per_across_slide_E;  S_d(0, 5) = -CEG_per_across_slide_G;
+      S_d(1, 0) = q.s_E * s_C_per_across_slide_E;  S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
+      S_d(1, 2) = s_C_per_across_slide_G;  S_d(1, 3) = t02 + t03;
+      S_d(1, 4) = -s_C_per_across_slide_E;  S_d(1, 5) = -s_C_per_across_slide_G;
+      S_d(2, 0) = q.s_E * s_E_per_across_slide_E - d.h_E_DE;
+      S_d(2, 1) = q.s_G * s_E_per_across_slide_G;  S_d(2, 2) = s_E_per_across_slide_G;
+      S_d(2, 3) = d.psi_E_CEG.cos * s_E_per_across_slide_E
+          + d.psi_G_CEG.cos * s_E_per_across_slide_G - d.psi_E_CEG.sin;
+      S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
+      S_d(3, 0) = q.s_E * s_G_per_across_slide_E;  S_d(3, 1) = q.s_G * s_G_per_across_slide_G + t01;
+      S_d(3, 2) = s_G_per_across_slide_G;
+      S_d(3, 3) = d.psi_E_CEG.cos * s_G_per_across_slide_E
+          + d.psi_G_CEG.cos * s_G_per_across_slide_G - d.psi_G_CEG.sin;
+      S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
+      S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_x_D;
+      S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;  S_u(0, 5) = CEG_per_y_F;
+      S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_x_D;
+      S_u(1, 3) = s_C_per_y_D;  S_u(1, 4) = s_C_per_x_F;  S_u(1, 5) = s_C_per_y_F;
+      S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;  S_u(2, 2) = s_E_per_x_D;
+      S_u(2, 3) = s_E_per_y_D;  S_u(2, 4) = s_E_per_x_F;  S_u(2, 5) = s_E_per_y_F;
+      S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_x_D;
+      S_u(3, 3) = s_G_per_y_D;  S_u(3, 4) = s_G_per_x_F;  S_u(3, 5) = s_G_per_y_F;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -253,93 +332,6 @@ struct Model11 {
     F_u(1, 1) = -Scalar(1);  F_u(1, 3) = Scalar(1);
     F_u(2, 0) = -Scalar(1);  F_u(2, 4) = Scalar(1);
     F_u(3, 1) = -Scalar(1);  F_u(3, 5) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>&, const Inputs<Scalar>&,
-      const Configuration<Scalar>&, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
-    rhs(0) = v_x_B - v_x_D;  rhs(1) = v_y_B - v_y_D;  rhs(2) = v_x_B - v_x_F;
-    rhs(3) = v_y_B - v_y_F;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0), v_s_C = q_rate(1), v_s_E = q_rate(2), v_s_G = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), a_x_D = u_second_rate(2);
-    const Scalar a_y_D = u_second_rate(3), a_x_F = u_second_rate(4), a_y_F = u_second_rate(5);
-    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
-    const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = q.theta_CEG.sin * v_s_C, t02 = BC_x - slide_C_x;
-    const Scalar t03 = q.theta_CEG.cos * v_s_C, t04 = BC_y - slide_C_y;
-    rhs(0) = a_x_B + omega_CEG * (Scalar(2) * t01 + (DE_x - slide_E_x - t02) * omega_CEG
-        - Scalar(2) * sin_DE * v_s_E) - a_x_D;
-    rhs(1) = a_y_B - a_y_D - omega_CEG * (Scalar(2) * t03 - Scalar(2) * cos_DE * v_s_E - (DE_y
-        - slide_E_y - t04) * omega_CEG);
-    rhs(2) = a_x_B + omega_CEG * (Scalar(2) * t01 + (FG_x - CG_x - slide_G_x - t02) * omega_CEG
-        - Scalar(2) * sin_FG * v_s_G) - a_x_F;
-    rhs(3) = a_y_B - a_y_F - omega_CEG * (Scalar(2) * t03 - Scalar(2) * cos_FG * v_s_G - (FG_y
-        - CG_y - slide_G_y - t04) * omega_CEG);
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>&,
-      const Vector<Scalar, input_count>&, const Vector<Scalar, input_count>& u_third_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_E = q_rate(2), a_s_E = q_second_rate(2);
-    const Scalar v_s_G = q_rate(3), a_s_G = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), j_x_D = u_third_rate(2), j_y_D = u_third_rate(3);
-    const Scalar j_x_F = u_third_rate(4), j_y_F = u_third_rate(5);
-    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
-    const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
-    const Scalar BC_x = -d.h_C_BC * q.theta_CEG.sin, BC_y = d.h_C_BC * q.theta_CEG.cos;
-    const Scalar slide_C_x = q.s_C * q.theta_CEG.cos, slide_C_y = q.s_C * q.theta_CEG.sin;
-    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = q.theta_CEG.sin * v_s_C, t02 = t01 - sin_DE * v_s_E;
-    const Scalar t03 = q.theta_CEG.sin * a_s_C, t04 = q.theta_CEG.cos * v_s_C;
-    const Scalar t05 = t04 - cos_DE * v_s_E, t06 = BC_y - slide_C_y, t07 = DE_y - slide_E_y - t06;
-    const Scalar t08 = BC_x - slide_C_x, t09 = DE_x - slide_E_x - t08;
-    const Scalar t10 = q.theta_CEG.cos * a_s_C, t11 = t01 - sin_FG * v_s_G;
-    const Scalar t12 = t04 - cos_FG * v_s_G, t13 = FG_y - CG_y - slide_G_y - t06;
-    const Scalar t14 = FG_x - CG_x - slide_G_x - t08;
-    rhs(0) = Scalar(3) * alpha_CEG * t02 + j_x_B + omega_CEG * (Scalar(3) * t03
-        + omega_CEG * (Scalar(3) * t05 - t07 * omega_CEG) + Scalar(3) * t09 * alpha_CEG
-        - Scalar(3) * sin_DE * a_s_E) - j_x_D;
-    rhs(1) = j_y_B - Scalar(3) * t05 * alpha_CEG - j_y_D - omega_CEG * (Scalar(3) * t10
-        - Scalar(3) * cos_DE * a_s_E - Scalar(3) * t07 * alpha_CEG - omega_CEG * (Scalar(3) * t02
-        + t09 * omega_CEG));
-    rhs(2) = j_x_B + Scalar(3) * alpha_CEG * t11 + omega_CEG * (Scalar(3) * t03
-        + omega_CEG * (Scalar(3) * t12 - t13 * omega_CEG) + Scalar(3) * t14 * alpha_CEG
-        - Scalar(3) * sin_FG * a_s_G) - j_x_F;
-    rhs(3) = j_y_B - Scalar(3) * alpha_CEG * t12 - j_y_F - omega_CEG * (Scalar(3) * t10
-        - Scalar(3) * cos_FG * a_s_G - Scalar(3) * t13 * alpha_CEG - omega_CEG * (Scalar(3) * t11
-        + t14 * omega_CEG));
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -554,119 +546,6 @@ struct Model11 {
     J_inverse(3, 3) = cos_FG * s_G_per_across_slide_G - sin_FG;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
-    const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar CEG_along_slide_E = q.s_C * d.psi_E_CEG.cos - q.s_E - d.h_C_BC * d.psi_E_CEG.sin;
-    const Scalar CEG_across_slide_E = d.h_E_DE - q.s_C * d.psi_E_CEG.sin
-        - d.h_C_BC * d.psi_E_CEG.cos;
-    const Scalar CEG_along_slide_G = q.s_C * d.psi_G_CEG.cos - q.s_G - d.h_C_BC * d.psi_G_CEG.sin;
-    const Scalar t01 = d.h_G_CEG - d.h_G_FG;
-    const Scalar CEG_across_slide_G = -q.s_C * d.psi_G_CEG.sin - d.h_C_BC * d.psi_G_CEG.cos - t01;
-    const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
-        - CEG_along_slide_E * d.psi_G_CEG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar CEG_per_across_slide_E = -inverse * d.psi_G_CEG.sin;
-    const Scalar s_C_per_across_slide_E = -CEG_along_slide_G * inverse;
-    const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
-        - CEG_across_slide_G * CEG_per_across_slide_E;
-    const Scalar t02 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = t02 - CEG_per_across_slide_E * CEG_across_slide_E;
-    const Scalar CEG_per_across_slide_G = inverse * d.psi_E_CEG.sin;
-    const Scalar s_C_per_across_slide_G = CEG_along_slide_E * inverse;
-    const Scalar t03 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = t03 - CEG_across_slide_G * CEG_per_across_slide_G;
-    const Scalar s_E_per_across_slide_G = d.psi_E_CEG.cos * s_C_per_across_slide_G
-        - CEG_across_slide_E * CEG_per_across_slide_G;
-    const Scalar CEG_per_x_D = CEG_per_across_slide_E * sin_DE;
-    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
-    const Scalar s_E_per_x_D = cos_DE + s_E_per_across_slide_E * sin_DE;
-    const Scalar s_G_per_x_D = s_G_per_across_slide_E * sin_DE;
-    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * cos_DE;
-    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
-    const Scalar s_E_per_y_D = sin_DE - s_E_per_across_slide_E * cos_DE;
-    const Scalar s_G_per_y_D = -s_G_per_across_slide_E * cos_DE;
-    const Scalar CEG_per_x_F = CEG_per_across_slide_G * sin_FG;
-    const Scalar s_C_per_x_F = s_C_per_across_slide_G * sin_FG;
-    const Scalar s_E_per_x_F = s_E_per_across_slide_G * sin_FG;
-    const Scalar s_G_per_x_F = cos_FG + s_G_per_across_slide_G * sin_FG;
-    const Scalar CEG_per_y_F = -CEG_per_across_slide_G * cos_FG;
-    const Scalar s_C_per_y_F = -s_C_per_across_slide_G * cos_FG;
-    const Scalar s_E_per_y_F = -s_E_per_across_slide_G * cos_FG;
-    const Scalar s_G_per_y_F = sin_FG - s_G_per_across_slide_G * cos_FG;
-    S_d(0, 0) = q.s_E * CEG_per_across_slide_E;  S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
-    S_d(0, 2) = CEG_per_across_slide_G;
-    S_d(0, 3) = CEG_per_across_slide_E * d.psi_E_CEG.cos + CEG_per_across_slide_G * d.psi_G_CEG.cos;
-    S_d(0, 4) = -CEG_per_across_slide_E;  S_d(0, 5) = -CEG_per_across_slide_G;
-    S_d(1, 0) = q.s_E * s_C_per_across_slide_E;  S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = s_C_per_across_slide_G;  S_d(1, 3) = t02 + t03;
-    S_d(1, 4) = -s_C_per_across_slide_E;  S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = q.s_E * s_E_per_across_slide_E - d.h_E_DE;
-    S_d(2, 1) = q.s_G * s_E_per_across_slide_G;  S_d(2, 2) = s_E_per_across_slide_G;
-    S_d(2, 3) = d.psi_E_CEG.cos * s_E_per_across_slide_E + d.psi_G_CEG.cos * s_E_per_across_slide_G
-        - d.psi_E_CEG.sin;
-    S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
-    S_d(3, 0) = q.s_E * s_G_per_across_slide_E;  S_d(3, 1) = q.s_G * s_G_per_across_slide_G + t01;
-    S_d(3, 2) = s_G_per_across_slide_G;
-    S_d(3, 3) = d.psi_E_CEG.cos * s_G_per_across_slide_E + d.psi_G_CEG.cos * s_G_per_across_slide_G
-        - d.psi_G_CEG.sin;
-    S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
-    S_u(0, 2) = CEG_per_x_D;  S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;
-    S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
-    S_u(1, 2) = s_C_per_x_D;  S_u(1, 3) = s_C_per_y_D;  S_u(1, 4) = s_C_per_x_F;
-    S_u(1, 5) = s_C_per_y_F;
-    S_u(2, 0) = -s_E_per_x_D - s_E_per_x_F;  S_u(2, 1) = -s_E_per_y_D - s_E_per_y_F;
-    S_u(2, 2) = s_E_per_x_D;  S_u(2, 3) = s_E_per_y_D;  S_u(2, 4) = s_E_per_x_F;
-    S_u(2, 5) = s_E_per_y_F;
-    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;  S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
-    S_u(3, 2) = s_G_per_x_D;  S_u(3, 3) = s_G_per_y_D;  S_u(3, 4) = s_G_per_x_F;
-    S_u(3, 5) = s_G_per_y_F;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), v_x_D = u_rate(2), v_y_D = u_rate(3);
-    const Scalar v_x_F = u_rate(4), v_y_F = u_rate(5);
-    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
-    const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar CEG_along_slide_E = q.s_C * d.psi_E_CEG.cos - q.s_E - d.h_C_BC * d.psi_E_CEG.sin;
-    const Scalar CEG_across_slide_E = d.h_E_DE - q.s_C * d.psi_E_CEG.sin
-        - d.h_C_BC * d.psi_E_CEG.cos;
-    const Scalar CEG_along_slide_G = q.s_C * d.psi_G_CEG.cos - q.s_G - d.h_C_BC * d.psi_G_CEG.sin;
-    const Scalar CEG_across_slide_G = d.h_G_FG - q.s_C * d.psi_G_CEG.sin
-        - d.h_C_BC * d.psi_G_CEG.cos - d.h_G_CEG;
-    const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
-        - CEG_along_slide_E * d.psi_G_CEG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_E = cos_DE * t01 + sin_DE * t02;
-    const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01, t03 = v_x_B - v_x_F;
-    const Scalar t04 = v_y_B - v_y_F, velocity_along_slide_G = cos_FG * t03 + sin_FG * t04;
-    const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03;
-    const Scalar omega_CEG = inverse * (d.psi_E_CEG.sin * velocity_across_slide_G
-        - d.psi_G_CEG.sin * velocity_across_slide_E);
-    const Scalar v_s_C = inverse * (CEG_along_slide_E * velocity_across_slide_G
-        - CEG_along_slide_G * velocity_across_slide_E);
-    const Scalar v_s_G = d.psi_G_CEG.cos * v_s_C - CEG_across_slide_G * omega_CEG
-        - velocity_along_slide_G;
-    const Scalar v_s_E = d.psi_E_CEG.cos * v_s_C - CEG_across_slide_E * omega_CEG
-        - velocity_along_slide_E;
-    q_rate(0) = omega_CEG;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
@@ -725,125 +604,62 @@ struct Model11 {
     q_second_rate(3) = a_s_G;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
-  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>&,
+  static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
       const Vector<Scalar, input_count>& u_second_rate,
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), v_x_D = u_rate(2), a_x_D = u_second_rate(2);
     const Scalar v_y_D = u_rate(3), a_y_D = u_second_rate(3), v_x_F = u_rate(4);
     const Scalar a_x_F = u_second_rate(4), v_y_F = u_rate(5), a_y_F = u_second_rate(5);
-    const Scalar cos_DE = q.theta_CEG.cos * d.psi_E_CEG.cos - q.theta_CEG.sin * d.psi_E_CEG.sin;
-    const Scalar sin_DE = q.theta_CEG.cos * d.psi_E_CEG.sin + d.psi_E_CEG.cos * q.theta_CEG.sin;
-    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + q.theta_CEG.sin * d.psi_G_CEG.cos;
-    const Scalar CEG_along_slide_E = q.s_C * d.psi_E_CEG.cos - q.s_E - d.h_C_BC * d.psi_E_CEG.sin;
-    const Scalar CEG_across_slide_E = d.h_E_DE - q.s_C * d.psi_E_CEG.sin
-        - d.h_C_BC * d.psi_E_CEG.cos;
-    const Scalar CEG_along_slide_G = q.s_C * d.psi_G_CEG.cos - q.s_G - d.h_C_BC * d.psi_G_CEG.sin;
-    const Scalar t01 = d.h_G_CEG - d.h_G_FG;
-    const Scalar CEG_across_slide_G = -q.s_C * d.psi_G_CEG.sin - d.h_C_BC * d.psi_G_CEG.cos - t01;
-    const Scalar determinant = CEG_along_slide_G * d.psi_E_CEG.sin
-        - CEG_along_slide_E * d.psi_G_CEG.sin;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar CEG_per_across_slide_E = -inverse * d.psi_G_CEG.sin;
-    const Scalar s_C_per_across_slide_E = -CEG_along_slide_G * inverse;
-    const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
-        - CEG_across_slide_G * CEG_per_across_slide_E;
-    const Scalar t02 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = t02 - CEG_per_across_slide_E * CEG_across_slide_E;
-    const Scalar CEG_per_across_slide_G = inverse * d.psi_E_CEG.sin;
-    const Scalar s_C_per_across_slide_G = CEG_along_slide_E * inverse;
-    const Scalar t03 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = t03 - CEG_across_slide_G * CEG_per_across_slide_G;
-    const Scalar s_E_per_across_slide_G = d.psi_E_CEG.cos * s_C_per_across_slide_G
-        - CEG_across_slide_E * CEG_per_across_slide_G;
-    const Scalar CEG_per_x_D = CEG_per_across_slide_E * sin_DE;
-    const Scalar CEG_per_x_F = CEG_per_across_slide_G * sin_FG;
-    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
-    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
-    const Scalar s_C_per_x_F = s_C_per_across_slide_G * sin_FG;
-    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
-    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
-    const Scalar s_E_per_x_F = sin_FG * s_E_per_across_slide_G;
-    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
-    const Scalar s_G_per_x_D = sin_DE * s_G_per_across_slide_E;
-    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
-    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
-    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * cos_DE;
-    const Scalar CEG_per_y_F = -CEG_per_across_slide_G * cos_FG;
-    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
-    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
-    const Scalar s_C_per_y_F = -s_C_per_across_slide_G * cos_FG;
-    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
-    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
-    const Scalar s_E_per_y_F = -s_E_per_across_slide_G * cos_FG;
-    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
-    const Scalar s_G_per_y_D = -cos_DE * s_G_per_across_slide_E;
-    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
-    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
-    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_x_D * v_x_D
-        + CEG_per_y_D * v_y_D + CEG_per_x_F * v_x_F + CEG_per_y_F * v_y_F;
-    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_x_D * v_x_D
-        + s_C_per_y_D * v_y_D + s_C_per_x_F * v_x_F + s_C_per_y_F * v_y_F;
-    const Scalar v_s_E = s_E_per_x_B * v_x_B + s_E_per_y_B * v_y_B + s_E_per_x_D * v_x_D
-        + s_E_per_y_D * v_y_D + s_E_per_x_F * v_x_F + s_E_per_y_F * v_y_F;
-    const Scalar v_s_G = s_G_per_x_B * v_x_B + s_G_per_y_B * v_y_B + s_G_per_x_D * v_x_D
-        + s_G_per_y_D * v_y_D + s_G_per_x_F * v_x_F + s_G_per_y_F * v_y_F;
+    const Scalar omega_CEG = s.CEG_per_x_B * v_x_B + s.CEG_per_y_B * v_y_B + s.CEG_per_x_D * v_x_D
+        + s.CEG_per_y_D * v_y_D + s.CEG_per_x_F * v_x_F + s.CEG_per_y_F * v_y_F;
+    const Scalar v_s_C = s.s_C_per_x_B * v_x_B + s.s_C_per_y_B * v_y_B + s.s_C_per_x_D * v_x_D
+        + s.s_C_per_y_D * v_y_D + s.s_C_per_x_F * v_x_F + s.s_C_per_y_F * v_y_F;
+    const Scalar v_s_E = s.s_E_per_x_B * v_x_B + s.s_E_per_y_B * v_y_B + s.s_E_per_x_D * v_x_D
+        + s.s_E_per_y_D * v_y_D + s.s_E_per_x_F * v_x_F + s.s_E_per_y_F * v_y_F;
+    const Scalar v_s_G = s.s_G_per_x_B * v_x_B + s.s_G_per_y_B * v_y_B + s.s_G_per_x_D * v_x_D
+        + s.s_G_per_y_D * v_y_D + s.s_G_per_x_F * v_x_F + s.s_G_per_y_F * v_y_F;
     const Scalar centripetal_along_slide_E = -omega_CEG * (Scalar(2) * d.psi_E_CEG.sin * v_s_C
-        - CEG_along_slide_E * omega_CEG);
+        - s.CEG_along_slide_E * omega_CEG);
     const Scalar centripetal_across_slide_E = -omega_CEG * (Scalar(2) * d.psi_E_CEG.cos * v_s_C
-        - CEG_across_slide_E * omega_CEG - Scalar(2) * v_s_E);
+        - s.CEG_across_slide_E * omega_CEG - Scalar(2) * v_s_E);
     const Scalar centripetal_along_slide_G = -omega_CEG * (Scalar(2) * d.psi_G_CEG.sin * v_s_C
-        - CEG_along_slide_G * omega_CEG);
+        - s.CEG_along_slide_G * omega_CEG);
     const Scalar centripetal_across_slide_G = -omega_CEG * (Scalar(2) * d.psi_G_CEG.cos * v_s_C
-        - CEG_across_slide_G * omega_CEG - Scalar(2) * v_s_G);
-    S_d(0, 0) = q.s_E * CEG_per_across_slide_E;  S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
-    S_d(0, 2) = CEG_per_across_slide_G;
-    S_d(0, 3) = CEG_per_across_slide_E * d.psi_E_CEG.cos + CEG_per_across_slide_G * d.psi_G_CEG.cos;
-    S_d(0, 4) = -CEG_per_across_slide_E;  S_d(0, 5) = -CEG_per_across_slide_G;
-    S_d(1, 0) = q.s_E * s_C_per_across_slide_E;  S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = s_C_per_across_slide_G;  S_d(1, 3) = t02 + t03;
-    S_d(1, 4) = -s_C_per_across_slide_E;  S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = q.s_E * s_E_per_across_slide_E - d.h_E_DE;
-    S_d(2, 1) = q.s_G * s_E_per_across_slide_G;  S_d(2, 2) = s_E_per_across_slide_G;
-    S_d(2, 3) = d.psi_E_CEG.cos * s_E_per_across_slide_E + d.psi_G_CEG.cos * s_E_per_across_slide_G
-        - d.psi_E_CEG.sin;
-    S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
-    S_d(3, 0) = q.s_E * s_G_per_across_slide_E;  S_d(3, 1) = q.s_G * s_G_per_across_slide_G + t01;
-    S_d(3, 2) = s_G_per_across_slide_G;
-    S_d(3, 3) = d.psi_E_CEG.cos * s_G_per_across_slide_E + d.psi_G_CEG.cos * s_G_per_across_slide_G
-        - d.psi_G_CEG.sin;
-    S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_x_D;
-    S_u(0, 3) = CEG_per_y_D;  S_u(0, 4) = CEG_per_x_F;  S_u(0, 5) = CEG_per_y_F;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_x_D;
-    S_u(1, 3) = s_C_per_y_D;  S_u(1, 4) = s_C_per_x_F;  S_u(1, 5) = s_C_per_y_F;
-    S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;  S_u(2, 2) = s_E_per_x_D;
-    S_u(2, 3) = s_E_per_y_D;  S_u(2, 4) = s_E_per_x_F;  S_u(2, 5) = s_E_per_y_F;
-    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_x_D;
-    S_u(3, 3) = s_G_per_y_D;  S_u(3, 4) = s_G_per_x_F;  S_u(3, 5) = s_G_per_y_F;
+        - s.CEG_across_slide_G * omega_CEG - Scalar(2) * v_s_G);
     q_rate(0) = omega_CEG;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
-    q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_x_D * a_x_D
-        + CEG_per_y_D * a_y_D + CEG_per_x_F * a_x_F + CEG_per_y_F * a_y_F
-        + CEG_per_across_slide_E * centripetal_across_slide_E
-        + CEG_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(1) = s_C_per_x_B * a_x_B + s_C_per_y_B * a_y_B + s_C_per_x_D * a_x_D
-        + s_C_per_y_D * a_y_D + s_C_per_x_F * a_x_F + s_C_per_y_F * a_y_F
-        + s_C_per_across_slide_E * centripetal_across_slide_E
-        + s_C_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(2) = s_E_per_x_B * a_x_B + s_E_per_y_B * a_y_B + s_E_per_x_D * a_x_D
-        + s_E_per_y_D * a_y_D + s_E_per_x_F * a_x_F + s_E_per_y_F * a_y_F
-        + s_E_per_across_slide_E * centripetal_across_slide_E
-        + s_E_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_E;
-    q_second_rate(3) = s_G_per_x_B * a_x_B + s_G_per_y_B * a_y_B + s_G_per_x_D * a_x_D
-        + s_G_per_y_D * a_y_D + s_G_per_x_F * a_x_F + s_G_per_y_F * a_y_F
-        + s_G_per_across_slide_E * centripetal_across_slide_E
-        + s_G_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_G;
+    q_second_rate(0) = s.CEG_per_x_B * a_x_B + s.CEG_per_y_B * a_y_B + s.CEG_per_x_D * a_x_D
+        + s.CEG_per_y_D * a_y_D + s.CEG_per_x_F * a_x_F + s.CEG_per_y_F * a_y_F
+        + s.CEG_per_across_slide_E * centripetal_across_slide_E
+        + s.CEG_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(1) = s.s_C_per_x_B * a_x_B + s.s_C_per_y_B * a_y_B + s.s_C_per_x_D * a_x_D
+        + s.s_C_per_y_D * a_y_D + s.s_C_per_x_F * a_x_F + s.s_C_per_y_F * a_y_F
+        + s.s_C_per_across_slide_E * centripetal_across_slide_E
+        + s.s_C_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(2) = s.s_E_per_x_B * a_x_B + s.s_E_per_y_B * a_y_B + s.s_E_per_x_D * a_x_D
+        + s.s_E_per_y_D * a_y_D + s.s_E_per_x_F * a_x_F + s.s_E_per_y_F * a_y_F
+        + s.s_E_per_across_slide_E * centripetal_across_slide_E
+        + s.s_E_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_E;
+    q_second_rate(3) = s.s_G_per_x_B * a_x_B + s.s_G_per_y_B * a_y_B + s.s_G_per_x_D * a_x_D
+        + s.s_G_per_y_D * a_y_D + s.s_G_per_x_F * a_x_F + s.s_G_per_y_F * a_y_F
+        + s.s_G_per_across_slide_E * centripetal_across_slide_E
+        + s.s_G_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_G;
   }
 
   /// The final polynomial T in theta_CEG, free of all other unknowns:

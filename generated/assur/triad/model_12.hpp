@@ -28,18 +28,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: link CEG does not close exactly one loop.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     20, 22, 0
 ///   jacobian:                     16, 10, 0
 ///   dimension_jacobian:           10, 6, 0
 ///   input_jacobian:               4, 2, 0
-///   velocity_rhs:                 6, 8, 0
-///   acceleration_rhs:             46, 30, 0
-///   jerk_rhs:                     88, 48, 0
 ///   curvature_rhs:                62, 36, 0
 ///   link_poses:                   8, 6, 0
 ///   pose_jacobians:               4, 2, 0
@@ -48,9 +41,8 @@ namespace assur::triad {
 ///   pose_curvatures:              16, 6, 0
 ///   degeneracies:                 12, 12, 0
 ///   inverse_jacobian:             42, 17, 1
-///   sensitivities:                68, 42, 1
-///   velocity:                     44, 31, 1
 ///   motion:                       83, 63, 1
+///   sensitivities:                68, 42, 1
 ///   sensitivities_and_motion:     157, 110, 1
 ///   position_polynomial:          29, 23, 0
 ///   second_equations:             22, 20, 0
@@ -68,7 +60,7 @@ struct Model12 {
   static constexpr int input_count = 7;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 4;
   static constexpr std::size_t polynomial_degree = 2;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -176,6 +168,115 @@ struct Model12 {
       {"RP-RP-PR", { 2, 3, 4, 5, 0, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
+    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
+    const Scalar cos_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.cos
+        + q.theta_CEG.sin * u.phi_B.sin;
+    const Scalar sin_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.sin
+        - q.theta_CEG.sin * u.phi_B.cos;
+    const Scalar cos_phi_B_minus_psi_G_CEG_minus_CEG = u.phi_B.cos * cos_FG + u.phi_B.sin * sin_FG;
+    const Scalar sin_phi_B_minus_psi_G_CEG_minus_CEG = u.phi_B.sin * cos_FG - u.phi_B.cos * sin_FG;
+    const Scalar phi_B_along_slide_E = -q.s_B * cos_phi_B_minus_CEG
+        - d.h_B_BC * sin_phi_B_minus_CEG;
+    const Scalar phi_B_across_slide_E = d.h_B_BC * cos_phi_B_minus_CEG
+        - q.s_B * sin_phi_B_minus_CEG;
+    const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
+    const Scalar phi_B_along_slide_G = -q.s_B * cos_phi_B_minus_psi_G_CEG_minus_CEG
+        - d.h_B_BC * sin_phi_B_minus_psi_G_CEG_minus_CEG;
+    const Scalar phi_B_across_slide_G = d.h_B_BC * cos_phi_B_minus_psi_G_CEG_minus_CEG
+        - q.s_B * sin_phi_B_minus_psi_G_CEG_minus_CEG;
+    const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
+    const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
+        - q.s_G * sin_phi_B_minus_CEG;
+    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
+    const Scalar CEG_per_across_slide_E = -inverse * sin_phi_B_minus_psi_G_CEG_minus_CEG;
+    const Scalar s_B_per_across_slide_E = q.s_G * inverse;
+    const Scalar s_G_per_across_slide_E = -cos_phi_B_minus_psi_G_CEG_minus_CEG *
+        s_B_per_across_slide_E - CEG_across_slide_G * CEG_per_across_slide_E;
+    const Scalar t01 = cos_phi_B_minus_CEG * s_B_per_across_slide_E;
+    const Scalar s_E_per_across_slide_E = -t01 - CEG_per_across_slide_E * CEG_across_slide_E;
+    const Scalar CEG_per_across_slide_G = inverse * sin_phi_B_minus_CEG;
+    const Scalar s_B_per_across_slide_G = -q.s_E * inverse;
+    const Scalar t02 = cos_phi_B_minus_psi_G_CEG_minus_CEG * s_B_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = -t02 - CEG_across_slide_G * CEG_per_across_slide_G;
+    const Scalar s_E_per_across_slide_G = -cos_phi_B_minus_CEG * s_B_per_across_slide_G
+        - CEG_across_slide_E * CEG_per_across_slide_G;
+    const Scalar CEG_per_x_D = CEG_per_across_slide_E * q.theta_CEG.sin;
+    const Scalar CEG_per_x_F = CEG_per_across_slide_G * sin_FG;
+    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
+    const Scalar s_B_per_x_D = q.theta_CEG.sin * s_B_per_across_slide_E;
+    const Scalar s_B_per_x_F = sin_FG * s_B_per_across_slide_G;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_E_per_x_D = q.theta_CEG.cos + q.theta_CEG.sin * s_E_per_across_slide_E;
+    const Scalar s_E_per_x_F = sin_FG * s_E_per_across_slide_G;
+    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
+    const Scalar s_G_per_x_D = q.theta_CEG.sin * s_G_per_across_slide_E;
+    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
+    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * q.theta_CEG.cos;
+    const Scalar CEG_per_y_F = -CEG_per_across_slide_G * cos_FG;
+    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
+    const Scalar s_B_per_y_D = -q.theta_CEG.cos * s_B_per_across_slide_E;
+    const Scalar s_B_per_y_F = -cos_FG * s_B_per_across_slide_G;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_E_per_y_D = q.theta_CEG.sin - q.theta_CEG.cos * s_E_per_across_slide_E;
+    const Scalar s_E_per_y_F = -cos_FG * s_E_per_across_slide_G;
+    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
+    const Scalar s_G_per_y_D = -q.theta_CEG.cos * s_G_per_across_slide_E;
+    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
+    const Scalar CEG_per_phi_B = -CEG_per_across_slide_E * phi_B_along_slide_E
+        - CEG_per_across_slide_G * phi_B_along_slide_G;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_E * s_B_per_across_slide_E
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_E_per_phi_B = -phi_B_along_slide_E * s_E_per_across_slide_E
+        - phi_B_across_slide_E - phi_B_along_slide_G * s_E_per_across_slide_G;
+    const Scalar s_G_per_phi_B = -phi_B_along_slide_E * s_G_per_across_slide_E
+        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = CEG_per_across_slide_E;  S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
+      S_d(0, 2) = CEG_per_across_slide_G;
+      S_d(0, 3) = -CEG_per_across_slide_E * cos_phi_B_minus_CEG
+          - CEG_per_across_slide_G * cos_phi_B_minus_psi_G_CEG_minus_CEG;
+      S_d(0, 4) = -CEG_per_across_slide_E;  S_d(0, 5) = -CEG_per_across_slide_G;
+      S_d(1, 0) = s_B_per_across_slide_E;  S_d(1, 1) = q.s_G * s_B_per_across_slide_G;
+      S_d(1, 2) = s_B_per_across_slide_G;  S_d(1, 3) = -t01 - t02;
+      S_d(1, 4) = -s_B_per_across_slide_E;  S_d(1, 5) = -s_B_per_across_slide_G;
+      S_d(2, 0) = s_E_per_across_slide_E;  S_d(2, 1) = q.s_G * s_E_per_across_slide_G;
+      S_d(2, 2) = s_E_per_across_slide_G;
+      S_d(2, 3) = -sin_phi_B_minus_CEG - cos_phi_B_minus_CEG * s_E_per_across_slide_E
+          - cos_phi_B_minus_psi_G_CEG_minus_CEG * s_E_per_across_slide_G;
+      S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
+      S_d(3, 0) = s_G_per_across_slide_E;
+      S_d(3, 1) = q.s_G * s_G_per_across_slide_G - CEG_across_slide_G;
+      S_d(3, 2) = s_G_per_across_slide_G;
+      S_d(3, 3) = -sin_phi_B_minus_psi_G_CEG_minus_CEG
+          - cos_phi_B_minus_CEG * s_G_per_across_slide_E
+          - cos_phi_B_minus_psi_G_CEG_minus_CEG * s_G_per_across_slide_G;
+      S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
+      S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_phi_B;
+      S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = CEG_per_x_F;
+      S_u(0, 6) = CEG_per_y_F;
+      S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
+      S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_x_F;
+      S_u(1, 6) = s_B_per_y_F;
+      S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;  S_u(2, 2) = s_E_per_phi_B;
+      S_u(2, 3) = s_E_per_x_D;  S_u(2, 4) = s_E_per_y_D;  S_u(2, 5) = s_E_per_x_F;
+      S_u(2, 6) = s_E_per_y_F;
+      S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_phi_B;
+      S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_x_F;
+      S_u(3, 6) = s_G_per_y_F;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -241,104 +342,6 @@ struct Model12 {
     F_u(1, 1) = -Scalar(1);  F_u(1, 2) = -t02;  F_u(1, 4) = Scalar(1);
     F_u(2, 0) = -Scalar(1);  F_u(2, 2) = t01;  F_u(2, 5) = Scalar(1);
     F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -t02;  F_u(3, 6) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar t01 = (slide_B_y + BC_y) * omega_B - v_x_B;
-    const Scalar t02 = (slide_B_x + BC_x) * omega_B + v_y_B;
-    rhs(0) = -v_x_D - t01;  rhs(1) = t02 - v_y_D;  rhs(2) = -v_x_F - t01;  rhs(3) = t02 - v_y_F;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0), v_s_B = q_rate(1), v_s_E = q_rate(2), v_s_G = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
-    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin, DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin, CE_y = d.h_E_CEG * q.theta_CEG.cos;
-    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos, slide_E_y = q.s_E * q.theta_CEG.sin;
-    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_B_x + BC_x, t02 = slide_B_y + BC_y;
-    const Scalar t03 = a_x_B - omega_B * (t01 * omega_B + Scalar(2) * u.phi_B.sin * v_s_B)
-        - t02 * alpha_B;
-    const Scalar t04 = a_y_B + t01 * alpha_B - omega_B * (t02 * omega_B
-        - Scalar(2) * u.phi_B.cos * v_s_B);
-    rhs(0) = omega_CEG * ((DE_x - CE_x - slide_E_x) * omega_CEG
-        - Scalar(2) * q.theta_CEG.sin * v_s_E) + t03 - a_x_D;
-    rhs(1) = omega_CEG * ((DE_y - CE_y - slide_E_y) * omega_CEG
-        + Scalar(2) * q.theta_CEG.cos * v_s_E) + t04 - a_y_D;
-    rhs(2) = omega_CEG * ((FG_x - CG_x - slide_G_x) * omega_CEG - Scalar(2) * sin_FG * v_s_G) + t03
-        - a_x_F;
-    rhs(3) = omega_CEG * ((FG_y - CG_y - slide_G_y) * omega_CEG + Scalar(2) * cos_FG * v_s_G) + t04
-        - a_y_F;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar omega_CEG = q_rate(0), alpha_CEG = q_second_rate(0), v_s_B = q_rate(1);
-    const Scalar a_s_B = q_second_rate(1), v_s_E = q_rate(2), a_s_E = q_second_rate(2);
-    const Scalar v_s_G = q_rate(3), a_s_G = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
-    const Scalar j_x_F = u_third_rate(5), j_y_F = u_third_rate(6);
-    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar DE_x = -d.h_E_DE * q.theta_CEG.sin, DE_y = d.h_E_DE * q.theta_CEG.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar BC_x = d.h_B_BC * u.phi_B.sin, BC_y = -d.h_B_BC * u.phi_B.cos;
-    const Scalar CE_x = -d.h_E_CEG * q.theta_CEG.sin, CE_y = d.h_E_CEG * q.theta_CEG.cos;
-    const Scalar slide_E_x = q.s_E * q.theta_CEG.cos, slide_E_y = q.s_E * q.theta_CEG.sin;
-    const Scalar FG_x = -d.h_G_FG * sin_FG, FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG;
-    const Scalar CG_y = d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = DE_y - CE_y - slide_E_y, t02 = q.theta_CEG.cos * v_s_E;
-    const Scalar t03 = DE_x - CE_x - slide_E_x, t04 = q.theta_CEG.sin * v_s_E;
-    const Scalar t05 = slide_B_y + BC_y, t06 = u.phi_B.cos * v_s_B, t07 = slide_B_x + BC_x;
-    const Scalar t08 = u.phi_B.sin * v_s_B;
-    const Scalar t09 = omega_B * (omega_B * (t05 * omega_B - Scalar(3) * t06)
-        - Scalar(3) * t07 * alpha_B - Scalar(3) * u.phi_B.sin * a_s_B) - t05 * jerk_B + j_x_B
-        - Scalar(3) * alpha_B * t08;
-    const Scalar t10 = omega_B * (omega_B * (t07 * omega_B + Scalar(3) * t08)
-        + Scalar(3) * t05 * alpha_B - Scalar(3) * u.phi_B.cos * a_s_B) - t07 * jerk_B - j_y_B
-        - Scalar(3) * t06 * alpha_B;
-    const Scalar t11 = FG_y - CG_y - slide_G_y, t12 = cos_FG * v_s_G, t13 = FG_x - CG_x - slide_G_x;
-    const Scalar t14 = sin_FG * v_s_G;
-    rhs(0) = t09 - omega_CEG * (omega_CEG * (t01 * omega_CEG + Scalar(3) * t02)
-        + Scalar(3) * q.theta_CEG.sin * a_s_E - Scalar(3) * t03 * alpha_CEG) - j_x_D
-        - Scalar(3) * alpha_CEG * t04;
-    rhs(1) = omega_CEG * (omega_CEG * (t03 * omega_CEG - Scalar(3) * t04)
-        + Scalar(3) * t01 * alpha_CEG + Scalar(3) * q.theta_CEG.cos * a_s_E)
-        + Scalar(3) * t02 * alpha_CEG - j_y_D - t10;
-    rhs(2) = t09 - omega_CEG * (omega_CEG * (t11 * omega_CEG + Scalar(3) * t12)
-        + Scalar(3) * sin_FG * a_s_G - Scalar(3) * t13 * alpha_CEG) - j_x_F
-        - Scalar(3) * alpha_CEG * t14;
-    rhs(3) = omega_CEG * (omega_CEG * (t13 * omega_CEG - Scalar(3) * t14)
-        + Scalar(3) * t11 * alpha_CEG + Scalar(3) * cos_FG * a_s_G) + Scalar(3) * alpha_CEG * t12
-        - j_y_F - t10;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -561,150 +564,6 @@ struct Model12 {
     J_inverse(3, 3) = cos_FG * s_G_per_across_slide_G - sin_FG;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar cos_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.cos
-        + q.theta_CEG.sin * u.phi_B.sin;
-    const Scalar sin_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.sin
-        - q.theta_CEG.sin * u.phi_B.cos;
-    const Scalar cos_phi_B_minus_psi_G_CEG_minus_CEG = u.phi_B.cos * cos_FG + u.phi_B.sin * sin_FG;
-    const Scalar sin_phi_B_minus_psi_G_CEG_minus_CEG = u.phi_B.sin * cos_FG - u.phi_B.cos * sin_FG;
-    const Scalar phi_B_along_slide_E = -q.s_B * cos_phi_B_minus_CEG
-        - d.h_B_BC * sin_phi_B_minus_CEG;
-    const Scalar phi_B_across_slide_E = d.h_B_BC * cos_phi_B_minus_CEG
-        - q.s_B * sin_phi_B_minus_CEG;
-    const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
-    const Scalar phi_B_along_slide_G = -q.s_B * cos_phi_B_minus_psi_G_CEG_minus_CEG
-        - d.h_B_BC * sin_phi_B_minus_psi_G_CEG_minus_CEG;
-    const Scalar phi_B_across_slide_G = d.h_B_BC * cos_phi_B_minus_psi_G_CEG_minus_CEG
-        - q.s_B * sin_phi_B_minus_psi_G_CEG_minus_CEG;
-    const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
-    const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
-        - q.s_G * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar CEG_per_across_slide_E = -inverse * sin_phi_B_minus_psi_G_CEG_minus_CEG;
-    const Scalar s_B_per_across_slide_E = q.s_G * inverse;
-    const Scalar s_G_per_across_slide_E = -cos_phi_B_minus_psi_G_CEG_minus_CEG *
-        s_B_per_across_slide_E - CEG_across_slide_G * CEG_per_across_slide_E;
-    const Scalar t01 = cos_phi_B_minus_CEG * s_B_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = -t01 - CEG_per_across_slide_E * CEG_across_slide_E;
-    const Scalar CEG_per_across_slide_G = inverse * sin_phi_B_minus_CEG;
-    const Scalar s_B_per_across_slide_G = -q.s_E * inverse;
-    const Scalar t02 = cos_phi_B_minus_psi_G_CEG_minus_CEG * s_B_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = -t02 - CEG_across_slide_G * CEG_per_across_slide_G;
-    const Scalar s_E_per_across_slide_G = -cos_phi_B_minus_CEG * s_B_per_across_slide_G
-        - CEG_across_slide_E * CEG_per_across_slide_G;
-    const Scalar CEG_per_x_D = CEG_per_across_slide_E * q.theta_CEG.sin;
-    const Scalar s_B_per_x_D = q.theta_CEG.sin * s_B_per_across_slide_E;
-    const Scalar s_E_per_x_D = q.theta_CEG.cos + q.theta_CEG.sin * s_E_per_across_slide_E;
-    const Scalar s_G_per_x_D = q.theta_CEG.sin * s_G_per_across_slide_E;
-    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * q.theta_CEG.cos;
-    const Scalar s_B_per_y_D = -q.theta_CEG.cos * s_B_per_across_slide_E;
-    const Scalar s_E_per_y_D = q.theta_CEG.sin - q.theta_CEG.cos * s_E_per_across_slide_E;
-    const Scalar s_G_per_y_D = -q.theta_CEG.cos * s_G_per_across_slide_E;
-    const Scalar CEG_per_x_F = CEG_per_across_slide_G * sin_FG;
-    const Scalar s_B_per_x_F = sin_FG * s_B_per_across_slide_G;
-    const Scalar s_E_per_x_F = sin_FG * s_E_per_across_slide_G;
-    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
-    const Scalar CEG_per_y_F = -CEG_per_across_slide_G * cos_FG;
-    const Scalar s_B_per_y_F = -cos_FG * s_B_per_across_slide_G;
-    const Scalar s_E_per_y_F = -cos_FG * s_E_per_across_slide_G;
-    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
-    S_d(0, 0) = CEG_per_across_slide_E;  S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
-    S_d(0, 2) = CEG_per_across_slide_G;
-    S_d(0, 3) = -CEG_per_across_slide_E * cos_phi_B_minus_CEG
-        - CEG_per_across_slide_G * cos_phi_B_minus_psi_G_CEG_minus_CEG;
-    S_d(0, 4) = -CEG_per_across_slide_E;  S_d(0, 5) = -CEG_per_across_slide_G;
-    S_d(1, 0) = s_B_per_across_slide_E;  S_d(1, 1) = q.s_G * s_B_per_across_slide_G;
-    S_d(1, 2) = s_B_per_across_slide_G;  S_d(1, 3) = -t01 - t02;
-    S_d(1, 4) = -s_B_per_across_slide_E;  S_d(1, 5) = -s_B_per_across_slide_G;
-    S_d(2, 0) = s_E_per_across_slide_E;  S_d(2, 1) = q.s_G * s_E_per_across_slide_G;
-    S_d(2, 2) = s_E_per_across_slide_G;
-    S_d(2, 3) = -sin_phi_B_minus_CEG - cos_phi_B_minus_CEG * s_E_per_across_slide_E
-        - cos_phi_B_minus_psi_G_CEG_minus_CEG * s_E_per_across_slide_G;
-    S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
-    S_d(3, 0) = s_G_per_across_slide_E;
-    S_d(3, 1) = q.s_G * s_G_per_across_slide_G - CEG_across_slide_G;
-    S_d(3, 2) = s_G_per_across_slide_G;
-    S_d(3, 3) = -sin_phi_B_minus_psi_G_CEG_minus_CEG - cos_phi_B_minus_CEG * s_G_per_across_slide_E
-        - cos_phi_B_minus_psi_G_CEG_minus_CEG * s_G_per_across_slide_G;
-    S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -CEG_per_x_D - CEG_per_x_F;  S_u(0, 1) = -CEG_per_y_D - CEG_per_y_F;
-    S_u(0, 2) = -CEG_per_across_slide_E * phi_B_along_slide_E
-        - CEG_per_across_slide_G * phi_B_along_slide_G;
-    S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = CEG_per_x_F;
-    S_u(0, 6) = CEG_per_y_F;
-    S_u(1, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(1, 1) = -s_B_per_y_D - s_B_per_y_F;
-    S_u(1, 2) = -phi_B_along_slide_E * s_B_per_across_slide_E
-        - phi_B_along_slide_G * s_B_per_across_slide_G;
-    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_x_F;
-    S_u(1, 6) = s_B_per_y_F;
-    S_u(2, 0) = -s_E_per_x_D - s_E_per_x_F;  S_u(2, 1) = -s_E_per_y_D - s_E_per_y_F;
-    S_u(2, 2) = -phi_B_along_slide_E * s_E_per_across_slide_E - phi_B_across_slide_E
-        - phi_B_along_slide_G * s_E_per_across_slide_G;
-    S_u(2, 3) = s_E_per_x_D;  S_u(2, 4) = s_E_per_y_D;  S_u(2, 5) = s_E_per_x_F;
-    S_u(2, 6) = s_E_per_y_F;
-    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;  S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
-    S_u(3, 2) = -phi_B_along_slide_E * s_G_per_across_slide_E
-        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
-    S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_x_F;
-    S_u(3, 6) = s_G_per_y_F;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
-    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar cos_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.cos
-        + q.theta_CEG.sin * u.phi_B.sin;
-    const Scalar sin_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.sin
-        - q.theta_CEG.sin * u.phi_B.cos;
-    const Scalar cos_phi_B_minus_psi_G_CEG_minus_CEG = u.phi_B.cos * cos_FG + u.phi_B.sin * sin_FG;
-    const Scalar sin_phi_B_minus_psi_G_CEG_minus_CEG = u.phi_B.sin * cos_FG - u.phi_B.cos * sin_FG;
-    const Scalar phi_B_along_slide_E = -q.s_B * cos_phi_B_minus_CEG
-        - d.h_B_BC * sin_phi_B_minus_CEG;
-    const Scalar phi_B_across_slide_E = d.h_B_BC * cos_phi_B_minus_CEG
-        - q.s_B * sin_phi_B_minus_CEG;
-    const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
-    const Scalar phi_B_along_slide_G = -q.s_B * cos_phi_B_minus_psi_G_CEG_minus_CEG
-        - d.h_B_BC * sin_phi_B_minus_psi_G_CEG_minus_CEG;
-    const Scalar phi_B_across_slide_G = d.h_B_BC * cos_phi_B_minus_psi_G_CEG_minus_CEG
-        - q.s_B * sin_phi_B_minus_psi_G_CEG_minus_CEG;
-    const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
-    const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
-        - q.s_G * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_E = q.theta_CEG.cos * t01 + q.theta_CEG.sin * t02
-        + phi_B_across_slide_E * omega_B;
-    const Scalar velocity_across_slide_E = q.theta_CEG.cos * t02 - q.theta_CEG.sin * t01
-        - phi_B_along_slide_E * omega_B;
-    const Scalar t03 = v_x_B - v_x_F, t04 = v_y_B - v_y_F;
-    const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04
-        + phi_B_across_slide_G * omega_B;
-    const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03
-        - phi_B_along_slide_G * omega_B;
-    const Scalar omega_CEG = inverse * (sin_phi_B_minus_CEG * velocity_across_slide_G
-        - sin_phi_B_minus_psi_G_CEG_minus_CEG * velocity_across_slide_E);
-    const Scalar v_s_B = -inverse * (q.s_E * velocity_across_slide_G
-        - q.s_G * velocity_across_slide_E);
-    const Scalar v_s_G = -CEG_across_slide_G * omega_CEG
-        - cos_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B - velocity_along_slide_G;
-    const Scalar v_s_E = -CEG_across_slide_E * omega_CEG - cos_phi_B_minus_CEG * v_s_B
-        - velocity_along_slide_E;
-    q_rate(0) = omega_CEG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -780,6 +639,15 @@ struct Model12 {
     q_second_rate(3) = a_s_G;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -788,143 +656,54 @@ struct Model12 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
     const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
-    const Scalar cos_FG = q.theta_CEG.cos * d.psi_G_CEG.cos - q.theta_CEG.sin * d.psi_G_CEG.sin;
-    const Scalar sin_FG = q.theta_CEG.cos * d.psi_G_CEG.sin + d.psi_G_CEG.cos * q.theta_CEG.sin;
-    const Scalar cos_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.cos
-        + q.theta_CEG.sin * u.phi_B.sin;
-    const Scalar sin_phi_B_minus_CEG = q.theta_CEG.cos * u.phi_B.sin
-        - q.theta_CEG.sin * u.phi_B.cos;
-    const Scalar cos_phi_B_minus_psi_G_CEG_minus_CEG = u.phi_B.cos * cos_FG + u.phi_B.sin * sin_FG;
-    const Scalar sin_phi_B_minus_psi_G_CEG_minus_CEG = u.phi_B.sin * cos_FG - u.phi_B.cos * sin_FG;
-    const Scalar phi_B_along_slide_E = -q.s_B * cos_phi_B_minus_CEG
-        - d.h_B_BC * sin_phi_B_minus_CEG;
-    const Scalar phi_B_across_slide_E = d.h_B_BC * cos_phi_B_minus_CEG
-        - q.s_B * sin_phi_B_minus_CEG;
-    const Scalar CEG_across_slide_E = d.h_E_DE - d.h_E_CEG;
-    const Scalar phi_B_along_slide_G = -q.s_B * cos_phi_B_minus_psi_G_CEG_minus_CEG
-        - d.h_B_BC * sin_phi_B_minus_psi_G_CEG_minus_CEG;
-    const Scalar phi_B_across_slide_G = d.h_B_BC * cos_phi_B_minus_psi_G_CEG_minus_CEG
-        - q.s_B * sin_phi_B_minus_psi_G_CEG_minus_CEG;
-    const Scalar CEG_across_slide_G = d.h_G_FG - d.h_G_CEG;
-    const Scalar determinant = q.s_E * sin_phi_B_minus_psi_G_CEG_minus_CEG
-        - q.s_G * sin_phi_B_minus_CEG;
-    const Scalar inverse = Scalar(1) / determinant;  // A zero divisor means a dead centre.
-    const Scalar CEG_per_across_slide_E = -inverse * sin_phi_B_minus_psi_G_CEG_minus_CEG;
-    const Scalar s_B_per_across_slide_E = q.s_G * inverse;
-    const Scalar s_G_per_across_slide_E = -cos_phi_B_minus_psi_G_CEG_minus_CEG *
-        s_B_per_across_slide_E - CEG_across_slide_G * CEG_per_across_slide_E;
-    const Scalar t01 = cos_phi_B_minus_CEG * s_B_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = -t01 - CEG_per_across_slide_E * CEG_across_slide_E;
-    const Scalar CEG_per_across_slide_G = inverse * sin_phi_B_minus_CEG;
-    const Scalar s_B_per_across_slide_G = -q.s_E * inverse;
-    const Scalar t02 = cos_phi_B_minus_psi_G_CEG_minus_CEG * s_B_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = -t02 - CEG_across_slide_G * CEG_per_across_slide_G;
-    const Scalar s_E_per_across_slide_G = -cos_phi_B_minus_CEG * s_B_per_across_slide_G
-        - CEG_across_slide_E * CEG_per_across_slide_G;
-    const Scalar CEG_per_x_D = CEG_per_across_slide_E * q.theta_CEG.sin;
-    const Scalar CEG_per_x_F = CEG_per_across_slide_G * sin_FG;
-    const Scalar CEG_per_x_B = -CEG_per_x_D - CEG_per_x_F;
-    const Scalar s_B_per_x_D = q.theta_CEG.sin * s_B_per_across_slide_E;
-    const Scalar s_B_per_x_F = sin_FG * s_B_per_across_slide_G;
-    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
-    const Scalar s_E_per_x_D = q.theta_CEG.cos + q.theta_CEG.sin * s_E_per_across_slide_E;
-    const Scalar s_E_per_x_F = sin_FG * s_E_per_across_slide_G;
-    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
-    const Scalar s_G_per_x_D = q.theta_CEG.sin * s_G_per_across_slide_E;
-    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
-    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
-    const Scalar CEG_per_y_D = -CEG_per_across_slide_E * q.theta_CEG.cos;
-    const Scalar CEG_per_y_F = -CEG_per_across_slide_G * cos_FG;
-    const Scalar CEG_per_y_B = -CEG_per_y_D - CEG_per_y_F;
-    const Scalar s_B_per_y_D = -q.theta_CEG.cos * s_B_per_across_slide_E;
-    const Scalar s_B_per_y_F = -cos_FG * s_B_per_across_slide_G;
-    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
-    const Scalar s_E_per_y_D = q.theta_CEG.sin - q.theta_CEG.cos * s_E_per_across_slide_E;
-    const Scalar s_E_per_y_F = -cos_FG * s_E_per_across_slide_G;
-    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
-    const Scalar s_G_per_y_D = -q.theta_CEG.cos * s_G_per_across_slide_E;
-    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
-    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
-    const Scalar CEG_per_phi_B = -CEG_per_across_slide_E * phi_B_along_slide_E
-        - CEG_per_across_slide_G * phi_B_along_slide_G;
-    const Scalar s_B_per_phi_B = -phi_B_along_slide_E * s_B_per_across_slide_E
-        - phi_B_along_slide_G * s_B_per_across_slide_G;
-    const Scalar s_E_per_phi_B = -phi_B_along_slide_E * s_E_per_across_slide_E
-        - phi_B_across_slide_E - phi_B_along_slide_G * s_E_per_across_slide_G;
-    const Scalar s_G_per_phi_B = -phi_B_along_slide_E * s_G_per_across_slide_E
-        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
-    const Scalar omega_CEG = CEG_per_x_B * v_x_B + CEG_per_y_B * v_y_B + CEG_per_phi_B * omega_B
-        + CEG_per_x_D * v_x_D + CEG_per_y_D * v_y_D + CEG_per_x_F * v_x_F + CEG_per_y_F * v_y_F;
-    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
-        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_x_F * v_x_F + s_B_per_y_F * v_y_F;
-    const Scalar v_s_E = s_E_per_x_B * v_x_B + s_E_per_y_B * v_y_B + s_E_per_phi_B * omega_B
-        + s_E_per_x_D * v_x_D + s_E_per_y_D * v_y_D + s_E_per_x_F * v_x_F + s_E_per_y_F * v_y_F;
-    const Scalar v_s_G = s_G_per_x_B * v_x_B + s_G_per_y_B * v_y_B + s_G_per_phi_B * omega_B
-        + s_G_per_x_D * v_x_D + s_G_per_y_D * v_y_D + s_G_per_x_F * v_x_F + s_G_per_y_F * v_y_F;
+    const Scalar omega_CEG = s.CEG_per_x_B * v_x_B + s.CEG_per_y_B * v_y_B
+        + s.CEG_per_phi_B * omega_B + s.CEG_per_x_D * v_x_D + s.CEG_per_y_D * v_y_D
+        + s.CEG_per_x_F * v_x_F + s.CEG_per_y_F * v_y_F;
+    const Scalar v_s_B = s.s_B_per_x_B * v_x_B + s.s_B_per_y_B * v_y_B + s.s_B_per_phi_B * omega_B
+        + s.s_B_per_x_D * v_x_D + s.s_B_per_y_D * v_y_D + s.s_B_per_x_F * v_x_F
+        + s.s_B_per_y_F * v_y_F;
+    const Scalar v_s_E = s.s_E_per_x_B * v_x_B + s.s_E_per_y_B * v_y_B + s.s_E_per_phi_B * omega_B
+        + s.s_E_per_x_D * v_x_D + s.s_E_per_y_D * v_y_D + s.s_E_per_x_F * v_x_F
+        + s.s_E_per_y_F * v_y_F;
+    const Scalar v_s_G = s.s_G_per_x_B * v_x_B + s.s_G_per_y_B * v_y_B + s.s_G_per_phi_B * omega_B
+        + s.s_G_per_x_D * v_x_D + s.s_G_per_y_D * v_y_D + s.s_G_per_x_F * v_x_F
+        + s.s_G_per_y_F * v_y_F;
     const Scalar t03 = omega_CEG * omega_CEG;
-    const Scalar centripetal_along_slide_E = -omega_B * (Scalar(2) * sin_phi_B_minus_CEG * v_s_B
-        - phi_B_along_slide_E * omega_B) - q.s_E * t03;
-    const Scalar centripetal_across_slide_E = omega_CEG * (CEG_across_slide_E * omega_CEG
-        + Scalar(2) * v_s_E) + omega_B * (Scalar(2) * cos_phi_B_minus_CEG * v_s_B
-        + phi_B_across_slide_E * omega_B);
+    const Scalar centripetal_along_slide_E = -omega_B * (Scalar(2) * s.sin_phi_B_minus_CEG * v_s_B
+        - s.phi_B_along_slide_E * omega_B) - q.s_E * t03;
+    const Scalar centripetal_across_slide_E = omega_CEG * (s.CEG_across_slide_E * omega_CEG
+        + Scalar(2) * v_s_E) + omega_B * (Scalar(2) * s.cos_phi_B_minus_CEG * v_s_B
+        + s.phi_B_across_slide_E * omega_B);
     const Scalar centripetal_along_slide_G = -omega_B * (Scalar(2) *
-        sin_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B - phi_B_along_slide_G * omega_B) - q.s_G * t03;
-    const Scalar centripetal_across_slide_G = omega_CEG * (CEG_across_slide_G * omega_CEG
-        + Scalar(2) * v_s_G) + omega_B * (Scalar(2) * cos_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B
-        + phi_B_across_slide_G * omega_B);
-    S_d(0, 0) = CEG_per_across_slide_E;  S_d(0, 1) = q.s_G * CEG_per_across_slide_G;
-    S_d(0, 2) = CEG_per_across_slide_G;
-    S_d(0, 3) = -CEG_per_across_slide_E * cos_phi_B_minus_CEG
-        - CEG_per_across_slide_G * cos_phi_B_minus_psi_G_CEG_minus_CEG;
-    S_d(0, 4) = -CEG_per_across_slide_E;  S_d(0, 5) = -CEG_per_across_slide_G;
-    S_d(1, 0) = s_B_per_across_slide_E;  S_d(1, 1) = q.s_G * s_B_per_across_slide_G;
-    S_d(1, 2) = s_B_per_across_slide_G;  S_d(1, 3) = -t01 - t02;
-    S_d(1, 4) = -s_B_per_across_slide_E;  S_d(1, 5) = -s_B_per_across_slide_G;
-    S_d(2, 0) = s_E_per_across_slide_E;  S_d(2, 1) = q.s_G * s_E_per_across_slide_G;
-    S_d(2, 2) = s_E_per_across_slide_G;
-    S_d(2, 3) = -sin_phi_B_minus_CEG - cos_phi_B_minus_CEG * s_E_per_across_slide_E
-        - cos_phi_B_minus_psi_G_CEG_minus_CEG * s_E_per_across_slide_G;
-    S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
-    S_d(3, 0) = s_G_per_across_slide_E;
-    S_d(3, 1) = q.s_G * s_G_per_across_slide_G - CEG_across_slide_G;
-    S_d(3, 2) = s_G_per_across_slide_G;
-    S_d(3, 3) = -sin_phi_B_minus_psi_G_CEG_minus_CEG - cos_phi_B_minus_CEG * s_G_per_across_slide_E
-        - cos_phi_B_minus_psi_G_CEG_minus_CEG * s_G_per_across_slide_G;
-    S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = CEG_per_x_B;  S_u(0, 1) = CEG_per_y_B;  S_u(0, 2) = CEG_per_phi_B;
-    S_u(0, 3) = CEG_per_x_D;  S_u(0, 4) = CEG_per_y_D;  S_u(0, 5) = CEG_per_x_F;
-    S_u(0, 6) = CEG_per_y_F;
-    S_u(1, 0) = s_B_per_x_B;  S_u(1, 1) = s_B_per_y_B;  S_u(1, 2) = s_B_per_phi_B;
-    S_u(1, 3) = s_B_per_x_D;  S_u(1, 4) = s_B_per_y_D;  S_u(1, 5) = s_B_per_x_F;
-    S_u(1, 6) = s_B_per_y_F;
-    S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;  S_u(2, 2) = s_E_per_phi_B;
-    S_u(2, 3) = s_E_per_x_D;  S_u(2, 4) = s_E_per_y_D;  S_u(2, 5) = s_E_per_x_F;
-    S_u(2, 6) = s_E_per_y_F;
-    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_phi_B;
-    S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_x_F;
-    S_u(3, 6) = s_G_per_y_F;
+        s.sin_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B - s.phi_B_along_slide_G * omega_B)
+        - q.s_G * t03;
+    const Scalar centripetal_across_slide_G = omega_CEG * (s.CEG_across_slide_G * omega_CEG
+        + Scalar(2) * v_s_G) + omega_B * (Scalar(2) * s.cos_phi_B_minus_psi_G_CEG_minus_CEG * v_s_B
+        + s.phi_B_across_slide_G * omega_B);
     q_rate(0) = omega_CEG;  q_rate(1) = v_s_B;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
-    q_second_rate(0) = CEG_per_x_B * a_x_B + CEG_per_y_B * a_y_B + CEG_per_phi_B * alpha_B
-        + CEG_per_x_D * a_x_D + CEG_per_y_D * a_y_D + CEG_per_x_F * a_x_F + CEG_per_y_F * a_y_F
-        + CEG_per_across_slide_E * centripetal_across_slide_E
-        + CEG_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(1) = s_B_per_x_B * a_x_B + s_B_per_y_B * a_y_B + s_B_per_phi_B * alpha_B
-        + s_B_per_x_D * a_x_D + s_B_per_y_D * a_y_D + s_B_per_x_F * a_x_F + s_B_per_y_F * a_y_F
-        + s_B_per_across_slide_E * centripetal_across_slide_E
-        + s_B_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(2) = s_E_per_x_B * a_x_B + s_E_per_y_B * a_y_B + s_E_per_phi_B * alpha_B
-        + s_E_per_x_D * a_x_D + s_E_per_y_D * a_y_D + s_E_per_x_F * a_x_F + s_E_per_y_F * a_y_F
-        + s_E_per_across_slide_E * centripetal_across_slide_E
-        + s_E_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_E;
-    q_second_rate(3) = s_G_per_x_B * a_x_B + s_G_per_y_B * a_y_B + s_G_per_phi_B * alpha_B
-        + s_G_per_x_D * a_x_D + s_G_per_y_D * a_y_D + s_G_per_x_F * a_x_F + s_G_per_y_F * a_y_F
-        + s_G_per_across_slide_E * centripetal_across_slide_E
-        + s_G_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_G;
+    q_second_rate(0) = s.CEG_per_x_B * a_x_B + s.CEG_per_y_B * a_y_B + s.CEG_per_phi_B * alpha_B
+        + s.CEG_per_x_D * a_x_D + s.CEG_per_y_D * a_y_D + s.CEG_per_x_F * a_x_F
+        + s.CEG_per_y_F * a_y_F + s.CEG_per_across_slide_E * centripetal_across_slide_E
+        + s.CEG_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(1) = s.s_B_per_x_B * a_x_B + s.s_B_per_y_B * a_y_B + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_x_D * a_x_D + s.s_B_per_y_D * a_y_D + s.s_B_per_x_F * a_x_F
+        + s.s_B_per_y_F * a_y_F + s.s_B_per_across_slide_E * centripetal_across_slide_E
+        + s.s_B_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(2) = s.s_E_per_x_B * a_x_B + s.s_E_per_y_B * a_y_B + s.s_E_per_phi_B * alpha_B
+        + s.s_E_per_x_D * a_x_D + s.s_E_per_y_D * a_y_D + s.s_E_per_x_F * a_x_F
+        + s.s_E_per_y_F * a_y_F + s.s_E_per_across_slide_E * centripetal_across_slide_E
+        + s.s_E_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_E;
+    q_second_rate(3) = s.s_G_per_x_B * a_x_B + s.s_G_per_y_B * a_y_B + s.s_G_per_phi_B * alpha_B
+        + s.s_G_per_x_D * a_x_D + s.s_G_per_y_D * a_y_D + s.s_G_per_x_F * a_x_F
+        + s.s_G_per_y_F * a_y_F + s.s_G_per_across_slide_E * centripetal_across_slide_E
+        + s.s_G_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_G;
   }
 
   /// The final polynomial T in theta_CEG, free of all other unknowns:

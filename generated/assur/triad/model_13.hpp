@@ -29,18 +29,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: link CEG does not close exactly one loop.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     26, 24, 0
 ///   jacobian:                     12, 6, 0
 ///   dimension_jacobian:           24, 16, 0
 ///   input_jacobian:               26, 18, 0
-///   velocity_rhs:                 30, 26, 0
-///   acceleration_rhs:             54, 40, 0
-///   jerk_rhs:                     86, 58, 0
 ///   curvature_rhs:                82, 63, 0
 ///   link_poses:                   16, 10, 0
 ///   pose_jacobians:               8, 4, 0
@@ -49,9 +42,8 @@ namespace assur::triad {
 ///   pose_curvatures:              34, 16, 0
 ///   degeneracies:                 2, 1, 0
 ///   inverse_jacobian:             54, 19, 1
-///   sensitivities:                88, 58, 1
-///   velocity:                     56, 38, 1
 ///   motion:                       94, 68, 1
+///   sensitivities:                88, 58, 1
 ///   sensitivities_and_motion:     178, 126, 1
 ///   position_polynomial:          34, 23, 0
 ///   second_equations:             24, 21, 0
@@ -69,7 +61,7 @@ struct Model13 {
   static constexpr int input_count = 7;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -188,6 +180,127 @@ struct Model13 {
       {"RP-RP-PP", { 2, 3, 4, 5, 0, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
+    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
+    const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
+        - d.psi_C_BC.sin * d.psi_E_CEG.sin;
+    const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
+        - d.psi_C_BC.cos * d.psi_E_CEG.sin;
+    const Scalar cos_minus_psi_C_BC_minus_psi_G_CEG = d.psi_C_BC.cos * d.psi_G_CEG.cos
+        - d.psi_C_BC.sin * d.psi_G_CEG.sin;
+    const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
+        - d.psi_C_BC.cos * d.psi_G_CEG.sin;
+    const Scalar phi_B_along_slide_E = q.s_C * d.psi_E_CEG.cos
+        - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG - q.s_E;
+    const Scalar phi_B_across_slide_E = d.h_E_DE - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG
+        - q.s_C * d.psi_E_CEG.sin;
+    const Scalar phi_B_along_slide_G = q.s_C * d.psi_G_CEG.cos
+        - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG - q.s_G;
+    const Scalar t01 = d.h_G_CEG - d.h_G_FG;
+    const Scalar phi_B_across_slide_G = -q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG
+        - q.s_C * d.psi_G_CEG.sin - t01;
+    const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
+        - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
+    const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
+    // A zero divisor means sin(psi_C_BC) = 0, or sin(psi_E_CEG - psi_G_CEG) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
+    const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
+    const Scalar t02 = inverse_sin_psi_C_BC * inverse_sin_psi_E_CEG_minus_psi_G_CEG;
+    const Scalar s_B_per_across_slide_E = -d.psi_G_CEG.sin * t02;
+    const Scalar s_C_per_across_slide_E = sin_minus_psi_C_BC_minus_psi_G_CEG * t02;
+    const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
+        - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_E;
+    const Scalar t03 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
+    const Scalar s_E_per_across_slide_E = t03
+        - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_E;
+    const Scalar s_B_per_across_slide_G = d.psi_E_CEG.sin * t02;
+    const Scalar s_C_per_across_slide_G = -sin_minus_psi_C_BC_minus_psi_E_CEG * t02;
+    const Scalar t04 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = t04
+        - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_G;
+    const Scalar s_E_per_across_slide_G = d.psi_E_CEG.cos * s_C_per_across_slide_G
+        - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_G;
+    const Scalar s_B_per_x_D = s_B_per_across_slide_E * sin_DE;
+    const Scalar s_B_per_x_F = s_B_per_across_slide_G * sin_FG;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
+    const Scalar s_C_per_x_F = s_C_per_across_slide_G * sin_FG;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_x_F = sin_FG * s_E_per_across_slide_G;
+    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
+    const Scalar s_G_per_x_D = sin_DE * s_G_per_across_slide_E;
+    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
+    const Scalar s_B_per_y_D = -s_B_per_across_slide_E * cos_DE;
+    const Scalar s_B_per_y_F = -s_B_per_across_slide_G * cos_FG;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
+    const Scalar s_C_per_y_F = -s_C_per_across_slide_G * cos_FG;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
+    const Scalar s_E_per_y_F = -s_E_per_across_slide_G * cos_FG;
+    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
+    const Scalar s_G_per_y_D = -cos_DE * s_G_per_across_slide_E;
+    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_E * s_B_per_across_slide_E
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_C_per_phi_B = -phi_B_along_slide_E * s_C_per_across_slide_E
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    const Scalar s_E_per_phi_B = -phi_B_along_slide_E * s_E_per_across_slide_E
+        - phi_B_across_slide_E - phi_B_along_slide_G * s_E_per_across_slide_G;
+    const Scalar s_G_per_phi_B = -phi_B_along_slide_E * s_G_per_across_slide_E
+        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
+    const Scalar t05 = q.s_E * s_B_per_across_slide_E, t06 = q.s_G * s_B_per_across_slide_G;
+    const Scalar t07 = q.s_E * s_C_per_across_slide_E, t08 = q.s_G * s_C_per_across_slide_G;
+    const Scalar t09 = d.h_E_DE - q.s_E * s_E_per_across_slide_E;
+    const Scalar t10 = q.s_G * s_E_per_across_slide_G, t11 = q.s_E * s_G_per_across_slide_E;
+    const Scalar t12 = q.s_G * s_G_per_across_slide_G + t01;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = t05;  S_d(0, 1) = t06;  S_d(0, 2) = s_B_per_across_slide_G;
+      S_d(0, 3) = t05 + t06 - q.s_C * (d.psi_E_CEG.cos * s_B_per_across_slide_E
+          + d.psi_G_CEG.cos * s_B_per_across_slide_G);
+      S_d(0, 4) = -s_B_per_across_slide_E;  S_d(0, 5) = -s_B_per_across_slide_G;
+      S_d(1, 0) = t07;  S_d(1, 1) = t08;  S_d(1, 2) = s_C_per_across_slide_G;
+      S_d(1, 3) = t07 + t08 - q.s_C * (t03 + t04);  S_d(1, 4) = -s_C_per_across_slide_E;
+      S_d(1, 5) = -s_C_per_across_slide_G;
+      S_d(2, 0) = -t09;  S_d(2, 1) = t10;  S_d(2, 2) = s_E_per_across_slide_G;
+      S_d(2, 3) = t10 + q.s_C * (d.psi_E_CEG.sin - d.psi_E_CEG.cos * s_E_per_across_slide_E
+          - d.psi_G_CEG.cos * s_E_per_across_slide_G) - t09;
+      S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
+      S_d(3, 0) = t11;  S_d(3, 1) = t12;  S_d(3, 2) = s_G_per_across_slide_G;
+      S_d(3, 3) = t11 + q.s_C * (d.psi_G_CEG.sin - d.psi_E_CEG.cos * s_G_per_across_slide_E
+          - d.psi_G_CEG.cos * s_G_per_across_slide_G) + t12;
+      S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
+      S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+      S_u(0, 3) = s_B_per_x_D;  S_u(0, 4) = s_B_per_y_D;  S_u(0, 5) = s_B_per_x_F;
+      S_u(0, 6) = s_B_per_y_F;
+      S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+      S_u(1, 3) = s_C_per_x_D;  S_u(1, 4) = s_C_per_y_D;  S_u(1, 5) = s_C_per_x_F;
+      S_u(1, 6) = s_C_per_y_F;
+      S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;  S_u(2, 2) = s_E_per_phi_B;
+      S_u(2, 3) = s_E_per_x_D;  S_u(2, 4) = s_E_per_y_D;  S_u(2, 5) = s_E_per_x_F;
+      S_u(2, 6) = s_E_per_y_F;
+      S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_phi_B;
+      S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_x_F;
+      S_u(3, 6) = s_G_per_y_F;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -271,117 +384,6 @@ struct Model13 {
     F_u(1, 1) = -Scalar(1);  F_u(1, 2) = DE_x - slide_E_x - t02;  F_u(1, 4) = Scalar(1);
     F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + slide_G_y + t01 - FG_y;  F_u(2, 5) = Scalar(1);
     F_u(3, 1) = -Scalar(1);  F_u(3, 2) = FG_x - CG_x - slide_G_x - t02;  F_u(3, 6) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
-    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
-    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_B_y - slide_C_y, t02 = slide_B_x - slide_C_x;
-    rhs(0) = v_x_B + (DE_y - slide_E_y - t01) * omega_B - v_x_D;
-    rhs(1) = v_y_B - v_y_D - (DE_x - slide_E_x - t02) * omega_B;
-    rhs(2) = v_x_B + (FG_y - CG_y - slide_G_y - t01) * omega_B - v_x_F;
-    rhs(3) = v_y_B - v_y_F - (FG_x - CG_x - slide_G_x - t02) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_E = q_rate(2), v_s_G = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
-    const Scalar a_x_F = u_second_rate(5), a_y_F = u_second_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
-    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
-    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = slide_B_x - slide_C_x, t02 = DE_x - slide_E_x - t01;
-    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t04 = slide_B_y - slide_C_y;
-    const Scalar t05 = DE_y - slide_E_y - t04, t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C;
-    const Scalar t07 = FG_x - CG_x - slide_G_x - t01, t08 = FG_y - CG_y - slide_G_y - t04;
-    rhs(0) = a_x_B + t05 * alpha_B - a_x_D - omega_B * (Scalar(2) * sin_DE * v_s_E + Scalar(2) * t03
-        - t02 * omega_B);
-    rhs(1) = a_y_B + omega_B * (Scalar(2) * cos_DE * v_s_E + t05 * omega_B + Scalar(2) * t06)
-        - a_y_D - t02 * alpha_B;
-    rhs(2) = a_x_B + t08 * alpha_B - a_x_F - omega_B * (Scalar(2) * sin_FG * v_s_G + Scalar(2) * t03
-        - t07 * omega_B);
-    rhs(3) = a_y_B + omega_B * (Scalar(2) * cos_FG * v_s_G + t08 * omega_B + Scalar(2) * t06)
-        - a_y_F - t07 * alpha_B;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_E = q_rate(2), a_s_E = q_second_rate(2);
-    const Scalar v_s_G = q_rate(3), a_s_G = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
-    const Scalar j_x_F = u_third_rate(5), j_y_F = u_third_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
-    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
-    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar DE_x = -d.h_E_DE * sin_DE, DE_y = d.h_E_DE * cos_DE;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar slide_E_x = q.s_E * cos_DE, slide_E_y = q.s_E * sin_DE, FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = -d.h_G_CEG * sin_FG, CG_y = d.h_G_CEG * cos_FG;
-    const Scalar slide_G_x = q.s_G * cos_FG, slide_G_y = q.s_G * sin_FG;
-    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t02 = sin_DE * v_s_E + t01;
-    const Scalar t03 = slide_B_y - slide_C_y, t04 = DE_y - slide_E_y - t03;
-    const Scalar t05 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t06 = cos_DE * v_s_E + t05;
-    const Scalar t07 = slide_B_x - slide_C_x, t08 = DE_x - slide_E_x - t07;
-    const Scalar t09 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t10 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C, t11 = sin_FG * v_s_G + t01;
-    const Scalar t12 = FG_y - CG_y - slide_G_y - t03, t13 = FG_x - CG_x - slide_G_x - t07;
-    const Scalar t14 = cos_FG * v_s_G + t05;
-    rhs(0) = j_x_B + t04 * jerk_B - j_x_D - Scalar(3) * alpha_B * t02
-        - omega_B * (Scalar(3) * sin_DE * a_s_E + omega_B * (Scalar(3) * t06 + t04 * omega_B)
-        + Scalar(3) * t09 - Scalar(3) * t08 * alpha_B);
-    rhs(1) = j_y_B + Scalar(3) * alpha_B * t06 + omega_B * (Scalar(3) * cos_DE * a_s_E
-        + Scalar(3) * t04 * alpha_B + Scalar(3) * t10 - omega_B * (Scalar(3) * t02 - t08 * omega_B))
-        - j_y_D - t08 * jerk_B;
-    rhs(2) = j_x_B + t12 * jerk_B - j_x_F - Scalar(3) * alpha_B * t11
-        - omega_B * (Scalar(3) * sin_FG * a_s_G + Scalar(3) * t09 + omega_B * (Scalar(3) * t14
-        + t12 * omega_B) - Scalar(3) * t13 * alpha_B);
-    rhs(3) = j_y_B + Scalar(3) * alpha_B * t14 + omega_B * (Scalar(3) * cos_FG * a_s_G
-        + Scalar(3) * t12 * alpha_B + Scalar(3) * t10 - omega_B * (Scalar(3) * t11 - t13 * omega_B))
-        - j_y_F - t13 * jerk_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -628,172 +630,6 @@ struct Model13 {
     J_inverse(3, 3) = cos_FG * s_G_per_across_slide_G - sin_FG;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
-    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
-    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
-        - d.psi_C_BC.sin * d.psi_E_CEG.sin;
-    const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
-        - d.psi_C_BC.cos * d.psi_E_CEG.sin;
-    const Scalar cos_minus_psi_C_BC_minus_psi_G_CEG = d.psi_C_BC.cos * d.psi_G_CEG.cos
-        - d.psi_C_BC.sin * d.psi_G_CEG.sin;
-    const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
-        - d.psi_C_BC.cos * d.psi_G_CEG.sin;
-    const Scalar phi_B_along_slide_E = q.s_C * d.psi_E_CEG.cos
-        - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG - q.s_E;
-    const Scalar phi_B_across_slide_E = d.h_E_DE - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG
-        - q.s_C * d.psi_E_CEG.sin;
-    const Scalar phi_B_along_slide_G = q.s_C * d.psi_G_CEG.cos
-        - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG - q.s_G;
-    const Scalar t01 = d.h_G_CEG - d.h_G_FG;
-    const Scalar phi_B_across_slide_G = -q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG
-        - q.s_C * d.psi_G_CEG.sin - t01;
-    const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
-        - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
-    const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
-    // A zero divisor means sin(psi_C_BC) = 0, or sin(psi_E_CEG - psi_G_CEG) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
-    const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
-    const Scalar t02 = inverse_sin_psi_C_BC * inverse_sin_psi_E_CEG_minus_psi_G_CEG;
-    const Scalar s_B_per_across_slide_E = -d.psi_G_CEG.sin * t02;
-    const Scalar s_C_per_across_slide_E = sin_minus_psi_C_BC_minus_psi_G_CEG * t02;
-    const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
-        - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_E;
-    const Scalar t03 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = t03
-        - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_E;
-    const Scalar s_B_per_across_slide_G = d.psi_E_CEG.sin * t02;
-    const Scalar s_C_per_across_slide_G = -sin_minus_psi_C_BC_minus_psi_E_CEG * t02;
-    const Scalar t04 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = t04
-        - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_G;
-    const Scalar s_E_per_across_slide_G = d.psi_E_CEG.cos * s_C_per_across_slide_G
-        - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_G;
-    const Scalar s_B_per_x_D = s_B_per_across_slide_E * sin_DE;
-    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
-    const Scalar s_E_per_x_D = cos_DE + s_E_per_across_slide_E * sin_DE;
-    const Scalar s_G_per_x_D = s_G_per_across_slide_E * sin_DE;
-    const Scalar s_B_per_y_D = -s_B_per_across_slide_E * cos_DE;
-    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
-    const Scalar s_E_per_y_D = sin_DE - s_E_per_across_slide_E * cos_DE;
-    const Scalar s_G_per_y_D = -s_G_per_across_slide_E * cos_DE;
-    const Scalar s_B_per_x_F = s_B_per_across_slide_G * sin_FG;
-    const Scalar s_C_per_x_F = s_C_per_across_slide_G * sin_FG;
-    const Scalar s_E_per_x_F = s_E_per_across_slide_G * sin_FG;
-    const Scalar s_G_per_x_F = cos_FG + s_G_per_across_slide_G * sin_FG;
-    const Scalar s_B_per_y_F = -s_B_per_across_slide_G * cos_FG;
-    const Scalar s_C_per_y_F = -s_C_per_across_slide_G * cos_FG;
-    const Scalar s_E_per_y_F = -s_E_per_across_slide_G * cos_FG;
-    const Scalar s_G_per_y_F = sin_FG - s_G_per_across_slide_G * cos_FG;
-    const Scalar t05 = q.s_E * s_B_per_across_slide_E, t06 = q.s_G * s_B_per_across_slide_G;
-    const Scalar t07 = q.s_E * s_C_per_across_slide_E, t08 = q.s_G * s_C_per_across_slide_G;
-    const Scalar t09 = d.h_E_DE - q.s_E * s_E_per_across_slide_E;
-    const Scalar t10 = q.s_G * s_E_per_across_slide_G, t11 = q.s_E * s_G_per_across_slide_E;
-    const Scalar t12 = q.s_G * s_G_per_across_slide_G + t01;
-    S_d(0, 0) = t05;  S_d(0, 1) = t06;  S_d(0, 2) = s_B_per_across_slide_G;
-    S_d(0, 3) = t05 + t06 - q.s_C * (d.psi_E_CEG.cos * s_B_per_across_slide_E
-        + d.psi_G_CEG.cos * s_B_per_across_slide_G);
-    S_d(0, 4) = -s_B_per_across_slide_E;  S_d(0, 5) = -s_B_per_across_slide_G;
-    S_d(1, 0) = t07;  S_d(1, 1) = t08;  S_d(1, 2) = s_C_per_across_slide_G;
-    S_d(1, 3) = t07 + t08 - q.s_C * (t03 + t04);  S_d(1, 4) = -s_C_per_across_slide_E;
-    S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = -t09;  S_d(2, 1) = t10;  S_d(2, 2) = s_E_per_across_slide_G;
-    S_d(2, 3) = t10 + q.s_C * (d.psi_E_CEG.sin - d.psi_E_CEG.cos * s_E_per_across_slide_E
-        - d.psi_G_CEG.cos * s_E_per_across_slide_G) - t09;
-    S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
-    S_d(3, 0) = t11;  S_d(3, 1) = t12;  S_d(3, 2) = s_G_per_across_slide_G;
-    S_d(3, 3) = t11 + q.s_C * (d.psi_G_CEG.sin - d.psi_E_CEG.cos * s_G_per_across_slide_E
-        - d.psi_G_CEG.cos * s_G_per_across_slide_G) + t12;
-    S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(0, 1) = -s_B_per_y_D - s_B_per_y_F;
-    S_u(0, 2) = -phi_B_along_slide_E * s_B_per_across_slide_E
-        - phi_B_along_slide_G * s_B_per_across_slide_G;
-    S_u(0, 3) = s_B_per_x_D;  S_u(0, 4) = s_B_per_y_D;  S_u(0, 5) = s_B_per_x_F;
-    S_u(0, 6) = s_B_per_y_F;
-    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
-    S_u(1, 2) = -phi_B_along_slide_E * s_C_per_across_slide_E
-        - phi_B_along_slide_G * s_C_per_across_slide_G;
-    S_u(1, 3) = s_C_per_x_D;  S_u(1, 4) = s_C_per_y_D;  S_u(1, 5) = s_C_per_x_F;
-    S_u(1, 6) = s_C_per_y_F;
-    S_u(2, 0) = -s_E_per_x_D - s_E_per_x_F;  S_u(2, 1) = -s_E_per_y_D - s_E_per_y_F;
-    S_u(2, 2) = -phi_B_along_slide_E * s_E_per_across_slide_E - phi_B_across_slide_E
-        - phi_B_along_slide_G * s_E_per_across_slide_G;
-    S_u(2, 3) = s_E_per_x_D;  S_u(2, 4) = s_E_per_y_D;  S_u(2, 5) = s_E_per_x_F;
-    S_u(2, 6) = s_E_per_y_F;
-    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;  S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
-    S_u(3, 2) = -phi_B_along_slide_E * s_G_per_across_slide_E
-        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
-    S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_x_F;
-    S_u(3, 6) = s_G_per_y_F;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), v_x_F = u_rate(5), v_y_F = u_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
-    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
-    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
-        - d.psi_C_BC.sin * d.psi_E_CEG.sin;
-    const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
-        - d.psi_C_BC.cos * d.psi_E_CEG.sin;
-    const Scalar cos_minus_psi_C_BC_minus_psi_G_CEG = d.psi_C_BC.cos * d.psi_G_CEG.cos
-        - d.psi_C_BC.sin * d.psi_G_CEG.sin;
-    const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
-        - d.psi_C_BC.cos * d.psi_G_CEG.sin;
-    const Scalar phi_B_along_slide_E = q.s_C * d.psi_E_CEG.cos
-        - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG - q.s_E;
-    const Scalar phi_B_across_slide_E = d.h_E_DE - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG
-        - q.s_C * d.psi_E_CEG.sin;
-    const Scalar phi_B_along_slide_G = q.s_C * d.psi_G_CEG.cos
-        - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG - q.s_G;
-    const Scalar phi_B_across_slide_G = d.h_G_FG - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG
-        - q.s_C * d.psi_G_CEG.sin - d.h_G_CEG;
-    const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
-        - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
-    const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
-    // A zero divisor means sin(psi_C_BC) = 0, or sin(psi_E_CEG - psi_G_CEG) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
-    const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
-    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_E = cos_DE * t01 + sin_DE * t02
-        + phi_B_across_slide_E * omega_B;
-    const Scalar velocity_across_slide_E = cos_DE * t02 - sin_DE * t01
-        - phi_B_along_slide_E * omega_B;
-    const Scalar t03 = v_x_B - v_x_F, t04 = v_y_B - v_y_F;
-    const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04
-        + phi_B_across_slide_G * omega_B;
-    const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03
-        - phi_B_along_slide_G * omega_B;
-    const Scalar t05 = inverse_sin_psi_E_CEG_minus_psi_G_CEG * inverse_sin_psi_C_BC;
-    const Scalar v_s_B = t05 * (d.psi_E_CEG.sin * velocity_across_slide_G
-        - d.psi_G_CEG.sin * velocity_across_slide_E);
-    const Scalar v_s_C = -t05 * (sin_minus_psi_C_BC_minus_psi_E_CEG * velocity_across_slide_G
-        - sin_minus_psi_C_BC_minus_psi_G_CEG * velocity_across_slide_E);
-    const Scalar v_s_G = d.psi_G_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B
-        - velocity_along_slide_G;
-    const Scalar v_s_E = d.psi_E_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B
-        - velocity_along_slide_E;
-    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -875,6 +711,15 @@ struct Model13 {
     q_second_rate(3) = a_s_G;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -883,155 +728,54 @@ struct Model13 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4), v_x_F = u_rate(5), a_x_F = u_second_rate(5);
     const Scalar v_y_F = u_rate(6), a_y_F = u_second_rate(6);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_DE = d.psi_E_CEG.cos * cos_CEG - d.psi_E_CEG.sin * sin_CEG;
-    const Scalar sin_DE = d.psi_E_CEG.cos * sin_CEG + d.psi_E_CEG.sin * cos_CEG;
-    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
-    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar cos_minus_psi_C_BC_minus_psi_E_CEG = d.psi_C_BC.cos * d.psi_E_CEG.cos
-        - d.psi_C_BC.sin * d.psi_E_CEG.sin;
-    const Scalar sin_minus_psi_C_BC_minus_psi_E_CEG = -d.psi_C_BC.sin * d.psi_E_CEG.cos
-        - d.psi_C_BC.cos * d.psi_E_CEG.sin;
-    const Scalar cos_minus_psi_C_BC_minus_psi_G_CEG = d.psi_C_BC.cos * d.psi_G_CEG.cos
-        - d.psi_C_BC.sin * d.psi_G_CEG.sin;
-    const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
-        - d.psi_C_BC.cos * d.psi_G_CEG.sin;
-    const Scalar phi_B_along_slide_E = q.s_C * d.psi_E_CEG.cos
-        - q.s_B * cos_minus_psi_C_BC_minus_psi_E_CEG - q.s_E;
-    const Scalar phi_B_across_slide_E = d.h_E_DE - q.s_B * sin_minus_psi_C_BC_minus_psi_E_CEG
-        - q.s_C * d.psi_E_CEG.sin;
-    const Scalar phi_B_along_slide_G = q.s_C * d.psi_G_CEG.cos
-        - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG - q.s_G;
-    const Scalar t01 = d.h_G_CEG - d.h_G_FG;
-    const Scalar phi_B_across_slide_G = -q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG
-        - q.s_C * d.psi_G_CEG.sin - t01;
-    const Scalar sin_psi_E_CEG_minus_psi_G_CEG = d.psi_E_CEG.sin * d.psi_G_CEG.cos
-        - d.psi_E_CEG.cos * d.psi_G_CEG.sin;
-    const Scalar pivot_product = d.psi_C_BC.sin * sin_psi_E_CEG_minus_psi_G_CEG;
-    // A zero divisor means sin(psi_C_BC) = 0, or sin(psi_E_CEG - psi_G_CEG) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_psi_C_BC = sin_psi_E_CEG_minus_psi_G_CEG * inverse;
-    const Scalar inverse_sin_psi_E_CEG_minus_psi_G_CEG = d.psi_C_BC.sin * inverse;
-    const Scalar t02 = inverse_sin_psi_C_BC * inverse_sin_psi_E_CEG_minus_psi_G_CEG;
-    const Scalar s_B_per_across_slide_E = -d.psi_G_CEG.sin * t02;
-    const Scalar s_C_per_across_slide_E = sin_minus_psi_C_BC_minus_psi_G_CEG * t02;
-    const Scalar s_G_per_across_slide_E = d.psi_G_CEG.cos * s_C_per_across_slide_E
-        - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_E;
-    const Scalar t03 = d.psi_E_CEG.cos * s_C_per_across_slide_E;
-    const Scalar s_E_per_across_slide_E = t03
-        - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_E;
-    const Scalar s_B_per_across_slide_G = d.psi_E_CEG.sin * t02;
-    const Scalar s_C_per_across_slide_G = -sin_minus_psi_C_BC_minus_psi_E_CEG * t02;
-    const Scalar t04 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = t04
-        - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_G;
-    const Scalar s_E_per_across_slide_G = d.psi_E_CEG.cos * s_C_per_across_slide_G
-        - cos_minus_psi_C_BC_minus_psi_E_CEG * s_B_per_across_slide_G;
-    const Scalar s_B_per_x_D = s_B_per_across_slide_E * sin_DE;
-    const Scalar s_B_per_x_F = s_B_per_across_slide_G * sin_FG;
-    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
-    const Scalar s_C_per_x_D = s_C_per_across_slide_E * sin_DE;
-    const Scalar s_C_per_x_F = s_C_per_across_slide_G * sin_FG;
-    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
-    const Scalar s_E_per_x_D = cos_DE + sin_DE * s_E_per_across_slide_E;
-    const Scalar s_E_per_x_F = sin_FG * s_E_per_across_slide_G;
-    const Scalar s_E_per_x_B = -s_E_per_x_D - s_E_per_x_F;
-    const Scalar s_G_per_x_D = sin_DE * s_G_per_across_slide_E;
-    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
-    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
-    const Scalar s_B_per_y_D = -s_B_per_across_slide_E * cos_DE;
-    const Scalar s_B_per_y_F = -s_B_per_across_slide_G * cos_FG;
-    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
-    const Scalar s_C_per_y_D = -s_C_per_across_slide_E * cos_DE;
-    const Scalar s_C_per_y_F = -s_C_per_across_slide_G * cos_FG;
-    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
-    const Scalar s_E_per_y_D = sin_DE - cos_DE * s_E_per_across_slide_E;
-    const Scalar s_E_per_y_F = -s_E_per_across_slide_G * cos_FG;
-    const Scalar s_E_per_y_B = -s_E_per_y_D - s_E_per_y_F;
-    const Scalar s_G_per_y_D = -cos_DE * s_G_per_across_slide_E;
-    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
-    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
-    const Scalar s_B_per_phi_B = -phi_B_along_slide_E * s_B_per_across_slide_E
-        - phi_B_along_slide_G * s_B_per_across_slide_G;
-    const Scalar s_C_per_phi_B = -phi_B_along_slide_E * s_C_per_across_slide_E
-        - phi_B_along_slide_G * s_C_per_across_slide_G;
-    const Scalar s_E_per_phi_B = -phi_B_along_slide_E * s_E_per_across_slide_E
-        - phi_B_across_slide_E - phi_B_along_slide_G * s_E_per_across_slide_G;
-    const Scalar s_G_per_phi_B = -phi_B_along_slide_E * s_G_per_across_slide_E
-        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
-    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
-        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_x_F * v_x_F + s_B_per_y_F * v_y_F;
-    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_phi_B * omega_B
-        + s_C_per_x_D * v_x_D + s_C_per_y_D * v_y_D + s_C_per_x_F * v_x_F + s_C_per_y_F * v_y_F;
-    const Scalar v_s_E = s_E_per_x_B * v_x_B + s_E_per_y_B * v_y_B + s_E_per_phi_B * omega_B
-        + s_E_per_x_D * v_x_D + s_E_per_y_D * v_y_D + s_E_per_x_F * v_x_F + s_E_per_y_F * v_y_F;
-    const Scalar v_s_G = s_G_per_x_B * v_x_B + s_G_per_y_B * v_y_B + s_G_per_phi_B * omega_B
-        + s_G_per_x_D * v_x_D + s_G_per_y_D * v_y_D + s_G_per_x_F * v_x_F + s_G_per_y_F * v_y_F;
+    const Scalar v_s_B = s.s_B_per_x_B * v_x_B + s.s_B_per_y_B * v_y_B + s.s_B_per_phi_B * omega_B
+        + s.s_B_per_x_D * v_x_D + s.s_B_per_y_D * v_y_D + s.s_B_per_x_F * v_x_F
+        + s.s_B_per_y_F * v_y_F;
+    const Scalar v_s_C = s.s_C_per_x_B * v_x_B + s.s_C_per_y_B * v_y_B + s.s_C_per_phi_B * omega_B
+        + s.s_C_per_x_D * v_x_D + s.s_C_per_y_D * v_y_D + s.s_C_per_x_F * v_x_F
+        + s.s_C_per_y_F * v_y_F;
+    const Scalar v_s_E = s.s_E_per_x_B * v_x_B + s.s_E_per_y_B * v_y_B + s.s_E_per_phi_B * omega_B
+        + s.s_E_per_x_D * v_x_D + s.s_E_per_y_D * v_y_D + s.s_E_per_x_F * v_x_F
+        + s.s_E_per_y_F * v_y_F;
+    const Scalar v_s_G = s.s_G_per_x_B * v_x_B + s.s_G_per_y_B * v_y_B + s.s_G_per_phi_B * omega_B
+        + s.s_G_per_x_D * v_x_D + s.s_G_per_y_D * v_y_D + s.s_G_per_x_F * v_x_F
+        + s.s_G_per_y_F * v_y_F;
     const Scalar centripetal_along_slide_E = -omega_B * (Scalar(2) * d.psi_E_CEG.sin * v_s_C
-        + Scalar(2) * sin_minus_psi_C_BC_minus_psi_E_CEG * v_s_B - phi_B_along_slide_E * omega_B);
+        + Scalar(2) * s.sin_minus_psi_C_BC_minus_psi_E_CEG * v_s_B
+        - s.phi_B_along_slide_E * omega_B);
     const Scalar centripetal_across_slide_E = -omega_B * (Scalar(2) * d.psi_E_CEG.cos * v_s_C
-        - Scalar(2) * cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B - Scalar(2) * v_s_E
-        - phi_B_across_slide_E * omega_B);
+        - Scalar(2) * s.cos_minus_psi_C_BC_minus_psi_E_CEG * v_s_B - Scalar(2) * v_s_E
+        - s.phi_B_across_slide_E * omega_B);
     const Scalar centripetal_along_slide_G = -omega_B * (Scalar(2) * d.psi_G_CEG.sin * v_s_C
-        + Scalar(2) * sin_minus_psi_C_BC_minus_psi_G_CEG * v_s_B - phi_B_along_slide_G * omega_B);
+        + Scalar(2) * s.sin_minus_psi_C_BC_minus_psi_G_CEG * v_s_B
+        - s.phi_B_along_slide_G * omega_B);
     const Scalar centripetal_across_slide_G = -omega_B * (Scalar(2) * d.psi_G_CEG.cos * v_s_C
-        - Scalar(2) * cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B - Scalar(2) * v_s_G
-        - phi_B_across_slide_G * omega_B);
-    const Scalar t05 = q.s_E * s_B_per_across_slide_E, t06 = q.s_G * s_B_per_across_slide_G;
-    const Scalar t07 = q.s_E * s_C_per_across_slide_E, t08 = q.s_G * s_C_per_across_slide_G;
-    const Scalar t09 = d.h_E_DE - q.s_E * s_E_per_across_slide_E;
-    const Scalar t10 = q.s_G * s_E_per_across_slide_G, t11 = q.s_E * s_G_per_across_slide_E;
-    const Scalar t12 = q.s_G * s_G_per_across_slide_G + t01;
-    S_d(0, 0) = t05;  S_d(0, 1) = t06;  S_d(0, 2) = s_B_per_across_slide_G;
-    S_d(0, 3) = t05 + t06 - q.s_C * (d.psi_E_CEG.cos * s_B_per_across_slide_E
-        + d.psi_G_CEG.cos * s_B_per_across_slide_G);
-    S_d(0, 4) = -s_B_per_across_slide_E;  S_d(0, 5) = -s_B_per_across_slide_G;
-    S_d(1, 0) = t07;  S_d(1, 1) = t08;  S_d(1, 2) = s_C_per_across_slide_G;
-    S_d(1, 3) = t07 + t08 - q.s_C * (t03 + t04);  S_d(1, 4) = -s_C_per_across_slide_E;
-    S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = -t09;  S_d(2, 1) = t10;  S_d(2, 2) = s_E_per_across_slide_G;
-    S_d(2, 3) = t10 + q.s_C * (d.psi_E_CEG.sin - d.psi_E_CEG.cos * s_E_per_across_slide_E
-        - d.psi_G_CEG.cos * s_E_per_across_slide_G) - t09;
-    S_d(2, 4) = -s_E_per_across_slide_E;  S_d(2, 5) = -s_E_per_across_slide_G;
-    S_d(3, 0) = t11;  S_d(3, 1) = t12;  S_d(3, 2) = s_G_per_across_slide_G;
-    S_d(3, 3) = t11 + q.s_C * (d.psi_G_CEG.sin - d.psi_E_CEG.cos * s_G_per_across_slide_E
-        - d.psi_G_CEG.cos * s_G_per_across_slide_G) + t12;
-    S_d(3, 4) = -s_G_per_across_slide_E;  S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = s_B_per_x_D;  S_u(0, 4) = s_B_per_y_D;  S_u(0, 5) = s_B_per_x_F;
-    S_u(0, 6) = s_B_per_y_F;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = s_C_per_x_D;  S_u(1, 4) = s_C_per_y_D;  S_u(1, 5) = s_C_per_x_F;
-    S_u(1, 6) = s_C_per_y_F;
-    S_u(2, 0) = s_E_per_x_B;  S_u(2, 1) = s_E_per_y_B;  S_u(2, 2) = s_E_per_phi_B;
-    S_u(2, 3) = s_E_per_x_D;  S_u(2, 4) = s_E_per_y_D;  S_u(2, 5) = s_E_per_x_F;
-    S_u(2, 6) = s_E_per_y_F;
-    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_phi_B;
-    S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_x_F;
-    S_u(3, 6) = s_G_per_y_F;
+        - Scalar(2) * s.cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B - Scalar(2) * v_s_G
+        - s.phi_B_across_slide_G * omega_B);
     q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_E;  q_rate(3) = v_s_G;
-    q_second_rate(0) = s_B_per_x_B * a_x_B + s_B_per_y_B * a_y_B + s_B_per_phi_B * alpha_B
-        + s_B_per_x_D * a_x_D + s_B_per_y_D * a_y_D + s_B_per_x_F * a_x_F + s_B_per_y_F * a_y_F
-        + s_B_per_across_slide_E * centripetal_across_slide_E
-        + s_B_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(1) = s_C_per_x_B * a_x_B + s_C_per_y_B * a_y_B + s_C_per_phi_B * alpha_B
-        + s_C_per_x_D * a_x_D + s_C_per_y_D * a_y_D + s_C_per_x_F * a_x_F + s_C_per_y_F * a_y_F
-        + s_C_per_across_slide_E * centripetal_across_slide_E
-        + s_C_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(2) = s_E_per_x_B * a_x_B + s_E_per_y_B * a_y_B + s_E_per_phi_B * alpha_B
-        + s_E_per_x_D * a_x_D + s_E_per_y_D * a_y_D + s_E_per_x_F * a_x_F + s_E_per_y_F * a_y_F
-        + s_E_per_across_slide_E * centripetal_across_slide_E
-        + s_E_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_E;
-    q_second_rate(3) = s_G_per_x_B * a_x_B + s_G_per_y_B * a_y_B + s_G_per_phi_B * alpha_B
-        + s_G_per_x_D * a_x_D + s_G_per_y_D * a_y_D + s_G_per_x_F * a_x_F + s_G_per_y_F * a_y_F
-        + s_G_per_across_slide_E * centripetal_across_slide_E
-        + s_G_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_G;
+    q_second_rate(0) = s.s_B_per_x_B * a_x_B + s.s_B_per_y_B * a_y_B + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_x_D * a_x_D + s.s_B_per_y_D * a_y_D + s.s_B_per_x_F * a_x_F
+        + s.s_B_per_y_F * a_y_F + s.s_B_per_across_slide_E * centripetal_across_slide_E
+        + s.s_B_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(1) = s.s_C_per_x_B * a_x_B + s.s_C_per_y_B * a_y_B + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_x_D * a_x_D + s.s_C_per_y_D * a_y_D + s.s_C_per_x_F * a_x_F
+        + s.s_C_per_y_F * a_y_F + s.s_C_per_across_slide_E * centripetal_across_slide_E
+        + s.s_C_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(2) = s.s_E_per_x_B * a_x_B + s.s_E_per_y_B * a_y_B + s.s_E_per_phi_B * alpha_B
+        + s.s_E_per_x_D * a_x_D + s.s_E_per_y_D * a_y_D + s.s_E_per_x_F * a_x_F
+        + s.s_E_per_y_F * a_y_F + s.s_E_per_across_slide_E * centripetal_across_slide_E
+        + s.s_E_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_E;
+    q_second_rate(3) = s.s_G_per_x_B * a_x_B + s.s_G_per_y_B * a_y_B + s.s_G_per_phi_B * alpha_B
+        + s.s_G_per_x_D * a_x_D + s.s_G_per_y_D * a_y_D + s.s_G_per_x_F * a_x_F
+        + s.s_G_per_y_F * a_y_F + s.s_G_per_across_slide_E * centripetal_across_slide_E
+        + s.s_G_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_G;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

@@ -28,18 +28,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: link CEG does not close exactly one loop.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     24, 26, 0
 ///   jacobian:                     8, 4, 0
 ///   dimension_jacobian:           18, 16, 0
 ///   input_jacobian:               24, 18, 0
-///   velocity_rhs:                 30, 28, 0
-///   acceleration_rhs:             58, 44, 0
-///   jerk_rhs:                     102, 66, 0
 ///   curvature_rhs:                107, 74, 0
 ///   link_poses:                   18, 14, 0
 ///   pose_jacobians:               14, 8, 0
@@ -48,9 +41,8 @@ namespace assur::triad {
 ///   pose_curvatures:              54, 26, 0
 ///   degeneracies:                 10, 5, 0
 ///   inverse_jacobian:             54, 19, 1
-///   sensitivities:                100, 62, 1
-///   velocity:                     62, 42, 1
 ///   motion:                       104, 76, 1
+///   sensitivities:                100, 62, 1
 ///   sensitivities_and_motion:     202, 140, 1
 ///   position_polynomial:          33, 24, 0
 ///   second_equations:             30, 26, 0
@@ -68,7 +60,7 @@ struct Model15 {
   static constexpr int input_count = 8;
   static constexpr int compatibility_count = 0;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
   static constexpr int max_configurations = 1;
   static constexpr std::size_t polynomial_degree = 1;
   static constexpr int first_unknown = 0;  ///< index of the final polynomial's unknown
@@ -193,6 +185,141 @@ struct Model15 {
       {"RP-PR-PP", { 4, 5, 2, 3, 0, 1 }},
   } };
 
+  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  template <typename Scalar>
+  struct SensitivityTerms {
+    const Dimensions<Scalar>& d;
+    const Inputs<Scalar>& u;
+    const Configuration<Scalar>& q;
+    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
+    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
+    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
+    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
+    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
+    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
+    const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
+        + u.phi_D.sin * sin_CEG;
+    const Scalar sin_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * sin_CEG
+        - u.phi_D.sin * cos_CEG;
+    const Scalar cos_minus_psi_C_BC_minus_psi_G_CEG = d.psi_C_BC.cos * d.psi_G_CEG.cos
+        - d.psi_C_BC.sin * d.psi_G_CEG.sin;
+    const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
+        - d.psi_C_BC.cos * d.psi_G_CEG.sin;
+    const Scalar t01 = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
+        - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
+    const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
+    const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
+        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
+    const Scalar t02 = d.h_C_CEG * d.psi_G_CEG.sin + q.s_C * d.psi_G_CEG.cos - q.s_G;
+    const Scalar phi_B_along_slide_G = t02 - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG;
+    const Scalar t03 = d.h_G_CEG - d.h_G_FG;
+    const Scalar phi_B_across_slide_G = d.h_C_CEG * d.psi_G_CEG.cos
+        - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG - q.s_C * d.psi_G_CEG.sin - t03;
+    const Scalar sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = u.phi_D.cos * sin_FG
+        - u.phi_D.sin * cos_FG;
+    const Scalar pivot_product = -d.psi_C_BC.sin *
+        sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
+    // A zero divisor means sin(phi_B - phi_D + psi_C_BC + psi_G_CEG) = 0, or sin(psi_C_BC) = 0.
+    const Scalar inverse = Scalar(1) / pivot_product;
+    const Scalar inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = d.psi_C_BC.sin *
+        inverse;
+    const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
+        inverse;
+    const Scalar t04 = inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
+        inverse_sin_psi_C_BC;
+    const Scalar s_B_per_across_slide_D = -d.psi_G_CEG.sin * t04;
+    const Scalar s_C_per_across_slide_D = sin_minus_psi_C_BC_minus_psi_G_CEG * t04;
+    const Scalar s_G_per_across_slide_D = d.psi_G_CEG.cos * s_C_per_across_slide_D
+        - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_D;
+    const Scalar t05 = cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
+    const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D - t05;
+    const Scalar s_B_per_across_slide_G = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t04;
+    const Scalar s_C_per_across_slide_G = -sin_phi_B_minus_phi_D * t04;
+    const Scalar t06 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
+    const Scalar s_G_per_across_slide_G = t06
+        - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_G;
+    const Scalar s_D_per_across_slide_G = cos_phi_B_minus_phi_D * s_B_per_across_slide_G
+        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_G;
+    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
+    const Scalar s_B_per_x_F = sin_FG * s_B_per_across_slide_G;
+    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
+    const Scalar s_C_per_x_D = u.phi_D.sin * s_C_per_across_slide_D;
+    const Scalar s_C_per_x_F = sin_FG * s_C_per_across_slide_G;
+    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
+    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
+    const Scalar s_D_per_x_F = sin_FG * s_D_per_across_slide_G;
+    const Scalar s_D_per_x_B = -s_D_per_x_D - s_D_per_x_F;
+    const Scalar s_G_per_x_D = u.phi_D.sin * s_G_per_across_slide_D;
+    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
+    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
+    const Scalar s_B_per_y_F = -cos_FG * s_B_per_across_slide_G;
+    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
+    const Scalar s_C_per_y_D = -u.phi_D.cos * s_C_per_across_slide_D;
+    const Scalar s_C_per_y_F = -cos_FG * s_C_per_across_slide_G;
+    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
+    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
+    const Scalar s_D_per_y_F = -cos_FG * s_D_per_across_slide_G;
+    const Scalar s_D_per_y_B = -s_D_per_y_D - s_D_per_y_F;
+    const Scalar s_G_per_y_D = -u.phi_D.cos * s_G_per_across_slide_D;
+    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
+    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
+    const Scalar s_B_per_phi_B = -phi_B_along_slide_D * s_B_per_across_slide_D
+        - phi_B_along_slide_G * s_B_per_across_slide_G;
+    const Scalar s_C_per_phi_B = -phi_B_along_slide_D * s_C_per_across_slide_D
+        - phi_B_along_slide_G * s_C_per_across_slide_G;
+    const Scalar s_D_per_phi_B = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
+        - phi_B_along_slide_G * s_D_per_across_slide_G;
+    const Scalar s_G_per_phi_B = -phi_B_along_slide_D * s_G_per_across_slide_D
+        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
+    const Scalar s_B_per_phi_D = -q.s_D * s_B_per_across_slide_D;
+    const Scalar s_C_per_phi_D = -q.s_D * s_C_per_across_slide_D;
+    const Scalar s_D_per_phi_D = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
+    const Scalar s_G_per_phi_D = -q.s_D * s_G_per_across_slide_D;
+    const Scalar t07 = sin_phi_B_plus_psi_C_BC_minus_phi_D
+        - d.psi_G_CEG.cos * s_D_per_across_slide_G
+        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D;
+    const Scalar t08 = q.s_G * s_D_per_across_slide_G;
+    const Scalar t09 = d.psi_G_CEG.sin - d.psi_G_CEG.cos * s_G_per_across_slide_G
+        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_G_per_across_slide_D;
+    const Scalar t10 = q.s_G * s_G_per_across_slide_G + t03;
+
+    [[gnu::always_inline]] void put(Matrix<Scalar, unknown_count, dimension_count>& S_d,
+        Matrix<Scalar, unknown_count, input_count>& S_u) const {
+      S_d(0, 0) = -d.psi_G_CEG.cos * s_B_per_across_slide_G
+          - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
+      S_d(0, 1) = q.s_G * s_B_per_across_slide_G;  S_d(0, 2) = s_B_per_across_slide_G;
+      S_d(0, 3) = -t01 * s_B_per_across_slide_D - t02 * s_B_per_across_slide_G;
+      S_d(0, 4) = s_B_per_across_slide_D;  S_d(0, 5) = -s_B_per_across_slide_G;
+      S_d(1, 0) = -t05 - t06;  S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
+      S_d(1, 2) = s_C_per_across_slide_G;
+      S_d(1, 3) = -t01 * s_C_per_across_slide_D - t02 * s_C_per_across_slide_G;
+      S_d(1, 4) = s_C_per_across_slide_D;  S_d(1, 5) = -s_C_per_across_slide_G;
+      S_d(2, 0) = t07;  S_d(2, 1) = t08;  S_d(2, 2) = s_D_per_across_slide_G;
+      S_d(2, 3) = t08 + q.s_C * t07 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
+          + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D
+          - d.psi_G_CEG.sin * s_D_per_across_slide_G);
+      S_d(2, 4) = s_D_per_across_slide_D;  S_d(2, 5) = -s_D_per_across_slide_G;
+      S_d(3, 0) = t09;  S_d(3, 1) = t10;  S_d(3, 2) = s_G_per_across_slide_G;
+      S_d(3, 3) = q.s_C * t09 + t10 - d.h_C_CEG * (d.psi_G_CEG.cos
+          + d.psi_G_CEG.sin * s_G_per_across_slide_G
+          - sin_phi_B_plus_psi_C_BC_minus_phi_D * s_G_per_across_slide_D);
+      S_d(3, 4) = s_G_per_across_slide_D;  S_d(3, 5) = -s_G_per_across_slide_G;
+      S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
+      S_u(0, 3) = s_B_per_x_D;  S_u(0, 4) = s_B_per_y_D;  S_u(0, 5) = s_B_per_phi_D;
+      S_u(0, 6) = s_B_per_x_F;  S_u(0, 7) = s_B_per_y_F;
+      S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
+      S_u(1, 3) = s_C_per_x_D;  S_u(1, 4) = s_C_per_y_D;  S_u(1, 5) = s_C_per_phi_D;
+      S_u(1, 6) = s_C_per_x_F;  S_u(1, 7) = s_C_per_y_F;
+      S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;  S_u(2, 2) = s_D_per_phi_B;
+      S_u(2, 3) = s_D_per_x_D;  S_u(2, 4) = s_D_per_y_D;  S_u(2, 5) = s_D_per_phi_D;
+      S_u(2, 6) = s_D_per_x_F;  S_u(2, 7) = s_D_per_y_F;
+      S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_phi_B;
+      S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_phi_D;
+      S_u(3, 6) = s_G_per_x_F;  S_u(3, 7) = s_G_per_y_F;
+    }
+  };
+
   /// f(q, d, u): the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -275,120 +402,6 @@ struct Model15 {
     F_u(1, 5) = slide_D_x + DE_x;
     F_u(2, 0) = -Scalar(1);  F_u(2, 2) = CG_y + slide_G_y + t01 - FG_y;  F_u(2, 6) = Scalar(1);
     F_u(3, 1) = -Scalar(1);  F_u(3, 2) = FG_x - CG_x - slide_G_x - t02;  F_u(3, 7) = Scalar(1);
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
-    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = CE_x - d.h_G_CEG * sin_FG;
-    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG, t01 = slide_B_y - slide_C_y;
-    const Scalar t02 = slide_B_x - slide_C_x;
-    rhs(0) = (slide_D_y + DE_y) * omega_D + v_x_B - v_x_D - (CE_y + t01) * omega_B;
-    rhs(1) = v_y_B + (CE_x + t02) * omega_B - (slide_D_x + DE_x) * omega_D - v_y_D;
-    rhs(2) = v_x_B + (FG_y - CG_y - slide_G_y - t01) * omega_B - v_x_F;
-    rhs(3) = v_y_B - v_y_F - (FG_x - CG_x - slide_G_x - t02) * omega_B;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_G = q_rate(3);
-    const Scalar a_x_B = u_second_rate(0), a_y_B = u_second_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), a_x_D = u_second_rate(3), a_y_D = u_second_rate(4);
-    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), a_x_F = u_second_rate(6);
-    const Scalar a_y_F = u_second_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
-    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = CE_x - d.h_G_CEG * sin_FG;
-    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG, t01 = slide_D_x + DE_x, t02 = slide_D_y + DE_y;
-    const Scalar t03 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t04 = slide_B_x - slide_C_x;
-    const Scalar t05 = CE_x + t04, t06 = slide_B_y - slide_C_y, t07 = CE_y + t06;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t09 = FG_x - CG_x - slide_G_x - t04;
-    const Scalar t10 = FG_y - CG_y - slide_G_y - t06;
-    rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D) + t02 * alpha_D + a_x_B
-        - a_x_D - omega_B * (Scalar(2) * t03 + t05 * omega_B) - t07 * alpha_B;
-    rhs(1) = omega_D * (t02 * omega_D - Scalar(2) * u.phi_D.cos * v_s_D) + a_y_B + t05 * alpha_B
-        + omega_B * (Scalar(2) * t08 - t07 * omega_B) - t01 * alpha_D - a_y_D;
-    rhs(2) = a_x_B + t10 * alpha_B - a_x_F - omega_B * (Scalar(2) * t03 + Scalar(2) * sin_FG * v_s_G
-        - t09 * omega_B);
-    rhs(3) = a_y_B + omega_B * (Scalar(2) * t08 + Scalar(2) * cos_FG * v_s_G + t10 * omega_B)
-        - a_y_F - t09 * alpha_B;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
-    const Scalar v_s_G = q_rate(3), a_s_G = q_second_rate(3), j_x_B = u_third_rate(0);
-    const Scalar j_y_B = u_third_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar jerk_B = u_third_rate(2), j_x_D = u_third_rate(3), j_y_D = u_third_rate(4);
-    const Scalar omega_D = u_rate(5), alpha_D = u_second_rate(5), jerk_D = u_third_rate(5);
-    const Scalar j_x_F = u_third_rate(6), j_y_F = u_third_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
-    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar DE_x = d.h_D_DE * u.phi_D.sin, DE_y = -d.h_D_DE * u.phi_D.cos;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar CE_x = d.h_C_CEG * sin_CEG, CE_y = -d.h_C_CEG * cos_CEG, FG_x = -d.h_G_FG * sin_FG;
-    const Scalar FG_y = d.h_G_FG * cos_FG, CG_x = CE_x - d.h_G_CEG * sin_FG;
-    const Scalar CG_y = CE_y + d.h_G_CEG * cos_FG, slide_G_x = q.s_G * cos_FG;
-    const Scalar slide_G_y = q.s_G * sin_FG, t01 = slide_D_y + DE_y, t02 = u.phi_D.cos * v_s_D;
-    const Scalar t03 = slide_D_x + DE_x, t04 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t05 = u.phi_D.sin * v_s_D, t06 = slide_B_y - slide_C_y, t07 = CE_y + t06;
-    const Scalar t08 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t09 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t10 = slide_B_x - slide_C_x;
-    const Scalar t11 = CE_x + t10, t12 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t13 = t04 + sin_FG * v_s_G, t14 = FG_y - CG_y - slide_G_y - t06;
-    const Scalar t15 = t09 + cos_FG * v_s_G, t16 = FG_x - CG_x - slide_G_x - t10;
-    rhs(0) = t01 * jerk_D + j_x_B + Scalar(3) * alpha_D * t05 - omega_D * (omega_D * (t01 * omega_D
-        - Scalar(3) * t02) - Scalar(3) * t03 * alpha_D - Scalar(3) * u.phi_D.sin * a_s_D)
-        - Scalar(3) * alpha_B * t04 - j_x_D - t07 * jerk_B - omega_B * (Scalar(3) * t08
-        + omega_B * (Scalar(3) * t09 - t07 * omega_B) + Scalar(3) * t11 * alpha_B);
-    rhs(1) = omega_D * (omega_D * (t03 * omega_D + Scalar(3) * t05) + Scalar(3) * t01 * alpha_D
-        - Scalar(3) * u.phi_D.cos * a_s_D) + Scalar(3) * t09 * alpha_B + j_y_B + t11 * jerk_B
-        + omega_B * (Scalar(3) * t12 - Scalar(3) * t07 * alpha_B - omega_B * (Scalar(3) * t04
-        + t11 * omega_B)) - t03 * jerk_D - j_y_D - Scalar(3) * t02 * alpha_D;
-    rhs(2) = j_x_B + t14 * jerk_B - j_x_F - Scalar(3) * alpha_B * t13 - omega_B * (Scalar(3) * t08
-        + Scalar(3) * sin_FG * a_s_G + omega_B * (Scalar(3) * t15 + t14 * omega_B)
-        - Scalar(3) * t16 * alpha_B);
-    rhs(3) = j_y_B + Scalar(3) * alpha_B * t15 + omega_B * (Scalar(3) * t12
-        + Scalar(3) * cos_FG * a_s_G + Scalar(3) * t14 * alpha_B - omega_B * (Scalar(3) * t13
-        - t16 * omega_B)) - j_y_F - t16 * jerk_B;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and
@@ -683,187 +696,6 @@ struct Model15 {
     J_inverse(3, 3) = cos_FG * s_G_per_across_slide_G - sin_FG;
   }
 
-  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
-  template <typename Scalar>
-  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
-      Matrix<Scalar, unknown_count, input_count>& S_u) {
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
-    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
-        + u.phi_D.sin * sin_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * sin_CEG
-        - u.phi_D.sin * cos_CEG;
-    const Scalar cos_minus_psi_C_BC_minus_psi_G_CEG = d.psi_C_BC.cos * d.psi_G_CEG.cos
-        - d.psi_C_BC.sin * d.psi_G_CEG.sin;
-    const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
-        - d.psi_C_BC.cos * d.psi_G_CEG.sin;
-    const Scalar t01 = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
-        - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
-    const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t02 = d.h_C_CEG * d.psi_G_CEG.sin + q.s_C * d.psi_G_CEG.cos - q.s_G;
-    const Scalar phi_B_along_slide_G = t02 - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG;
-    const Scalar t03 = d.h_G_CEG - d.h_G_FG;
-    const Scalar phi_B_across_slide_G = d.h_C_CEG * d.psi_G_CEG.cos
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG - q.s_C * d.psi_G_CEG.sin - t03;
-    const Scalar sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = u.phi_D.cos * sin_FG
-        - u.phi_D.sin * cos_FG;
-    const Scalar pivot_product = -d.psi_C_BC.sin *
-        sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
-    // A zero divisor means sin(phi_B - phi_D + psi_C_BC + psi_G_CEG) = 0, or sin(psi_C_BC) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = d.psi_C_BC.sin *
-        inverse;
-    const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
-        inverse;
-    const Scalar t04 = inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
-        inverse_sin_psi_C_BC;
-    const Scalar s_B_per_across_slide_D = -d.psi_G_CEG.sin * t04;
-    const Scalar s_C_per_across_slide_D = sin_minus_psi_C_BC_minus_psi_G_CEG * t04;
-    const Scalar s_G_per_across_slide_D = d.psi_G_CEG.cos * s_C_per_across_slide_D
-        - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_D;
-    const Scalar t05 = cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
-    const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D - t05;
-    const Scalar s_B_per_across_slide_G = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t04;
-    const Scalar s_C_per_across_slide_G = -sin_phi_B_minus_phi_D * t04;
-    const Scalar t06 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = t06
-        - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_G;
-    const Scalar s_D_per_across_slide_G = cos_phi_B_minus_phi_D * s_B_per_across_slide_G
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_G;
-    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar s_C_per_x_D = u.phi_D.sin * s_C_per_across_slide_D;
-    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
-    const Scalar s_G_per_x_D = u.phi_D.sin * s_G_per_across_slide_D;
-    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar s_C_per_y_D = -u.phi_D.cos * s_C_per_across_slide_D;
-    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar s_G_per_y_D = -u.phi_D.cos * s_G_per_across_slide_D;
-    const Scalar s_B_per_x_F = sin_FG * s_B_per_across_slide_G;
-    const Scalar s_C_per_x_F = sin_FG * s_C_per_across_slide_G;
-    const Scalar s_D_per_x_F = sin_FG * s_D_per_across_slide_G;
-    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
-    const Scalar s_B_per_y_F = -cos_FG * s_B_per_across_slide_G;
-    const Scalar s_C_per_y_F = -cos_FG * s_C_per_across_slide_G;
-    const Scalar s_D_per_y_F = -cos_FG * s_D_per_across_slide_G;
-    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
-    const Scalar t07 = sin_phi_B_plus_psi_C_BC_minus_phi_D
-        - d.psi_G_CEG.cos * s_D_per_across_slide_G
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D;
-    const Scalar t08 = q.s_G * s_D_per_across_slide_G;
-    const Scalar t09 = d.psi_G_CEG.sin - d.psi_G_CEG.cos * s_G_per_across_slide_G
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_G_per_across_slide_D;
-    const Scalar t10 = q.s_G * s_G_per_across_slide_G + t03;
-    S_d(0, 0) = -d.psi_G_CEG.cos * s_B_per_across_slide_G
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
-    S_d(0, 1) = q.s_G * s_B_per_across_slide_G;  S_d(0, 2) = s_B_per_across_slide_G;
-    S_d(0, 3) = -t01 * s_B_per_across_slide_D - t02 * s_B_per_across_slide_G;
-    S_d(0, 4) = s_B_per_across_slide_D;  S_d(0, 5) = -s_B_per_across_slide_G;
-    S_d(1, 0) = -t05 - t06;  S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = s_C_per_across_slide_G;
-    S_d(1, 3) = -t01 * s_C_per_across_slide_D - t02 * s_C_per_across_slide_G;
-    S_d(1, 4) = s_C_per_across_slide_D;  S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = t07;  S_d(2, 1) = t08;  S_d(2, 2) = s_D_per_across_slide_G;
-    S_d(2, 3) = t08 + q.s_C * t07 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
-        + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D
-        - d.psi_G_CEG.sin * s_D_per_across_slide_G);
-    S_d(2, 4) = s_D_per_across_slide_D;  S_d(2, 5) = -s_D_per_across_slide_G;
-    S_d(3, 0) = t09;  S_d(3, 1) = t10;  S_d(3, 2) = s_G_per_across_slide_G;
-    S_d(3, 3) = q.s_C * t09 + t10 - d.h_C_CEG * (d.psi_G_CEG.cos
-        + d.psi_G_CEG.sin * s_G_per_across_slide_G
-        - sin_phi_B_plus_psi_C_BC_minus_phi_D * s_G_per_across_slide_D);
-    S_d(3, 4) = s_G_per_across_slide_D;  S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = -s_B_per_x_D - s_B_per_x_F;  S_u(0, 1) = -s_B_per_y_D - s_B_per_y_F;
-    S_u(0, 2) = -phi_B_along_slide_D * s_B_per_across_slide_D
-        - phi_B_along_slide_G * s_B_per_across_slide_G;
-    S_u(0, 3) = s_B_per_x_D;  S_u(0, 4) = s_B_per_y_D;  S_u(0, 5) = -q.s_D * s_B_per_across_slide_D;
-    S_u(0, 6) = s_B_per_x_F;  S_u(0, 7) = s_B_per_y_F;
-    S_u(1, 0) = -s_C_per_x_D - s_C_per_x_F;  S_u(1, 1) = -s_C_per_y_D - s_C_per_y_F;
-    S_u(1, 2) = -phi_B_along_slide_D * s_C_per_across_slide_D
-        - phi_B_along_slide_G * s_C_per_across_slide_G;
-    S_u(1, 3) = s_C_per_x_D;  S_u(1, 4) = s_C_per_y_D;  S_u(1, 5) = -q.s_D * s_C_per_across_slide_D;
-    S_u(1, 6) = s_C_per_x_F;  S_u(1, 7) = s_C_per_y_F;
-    S_u(2, 0) = -s_D_per_x_D - s_D_per_x_F;  S_u(2, 1) = -s_D_per_y_D - s_D_per_y_F;
-    S_u(2, 2) = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
-        - phi_B_along_slide_G * s_D_per_across_slide_G;
-    S_u(2, 3) = s_D_per_x_D;  S_u(2, 4) = s_D_per_y_D;
-    S_u(2, 5) = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;  S_u(2, 6) = s_D_per_x_F;
-    S_u(2, 7) = s_D_per_y_F;
-    S_u(3, 0) = -s_G_per_x_D - s_G_per_x_F;  S_u(3, 1) = -s_G_per_y_D - s_G_per_y_F;
-    S_u(3, 2) = -phi_B_along_slide_D * s_G_per_across_slide_D
-        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
-    S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = -q.s_D * s_G_per_across_slide_D;
-    S_u(3, 6) = s_G_per_x_F;  S_u(3, 7) = s_G_per_y_F;
-  }
-
-  /// dq/dt for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, unknown_count>& q_rate) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
-    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
-        + u.phi_D.sin * sin_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * sin_CEG
-        - u.phi_D.sin * cos_CEG;
-    const Scalar cos_minus_psi_C_BC_minus_psi_G_CEG = d.psi_C_BC.cos * d.psi_G_CEG.cos
-        - d.psi_C_BC.sin * d.psi_G_CEG.sin;
-    const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
-        - d.psi_C_BC.cos * d.psi_G_CEG.sin;
-    const Scalar phi_B_along_slide_D = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
-        - q.s_B * cos_phi_B_minus_phi_D - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
-    const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar phi_B_along_slide_G = q.s_C * d.psi_G_CEG.cos + d.h_C_CEG * d.psi_G_CEG.sin
-        - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG - q.s_G;
-    const Scalar phi_B_across_slide_G = d.h_C_CEG * d.psi_G_CEG.cos + d.h_G_FG
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG - q.s_C * d.psi_G_CEG.sin - d.h_G_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = u.phi_D.cos * sin_FG
-        - u.phi_D.sin * cos_FG;
-    const Scalar pivot_product = -d.psi_C_BC.sin *
-        sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
-    // A zero divisor means sin(phi_B - phi_D + psi_C_BC + psi_G_CEG) = 0, or sin(psi_C_BC) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = d.psi_C_BC.sin *
-        inverse;
-    const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
-        inverse;
-    const Scalar t01 = v_x_B - v_x_D, t02 = v_y_B - v_y_D;
-    const Scalar velocity_along_slide_D = u.phi_D.cos * t01 + u.phi_D.sin * t02
-        + phi_B_across_slide_D * omega_B - d.h_D_DE * omega_D;
-    const Scalar velocity_across_slide_D = u.phi_D.cos * t02 - u.phi_D.sin * t01 - q.s_D * omega_D
-        - phi_B_along_slide_D * omega_B;
-    const Scalar t03 = v_x_B - v_x_F, t04 = v_y_B - v_y_F;
-    const Scalar velocity_along_slide_G = cos_FG * t03 + sin_FG * t04
-        + phi_B_across_slide_G * omega_B;
-    const Scalar velocity_across_slide_G = cos_FG * t04 - sin_FG * t03
-        - phi_B_along_slide_G * omega_B;
-    const Scalar t05 = inverse_sin_psi_C_BC *
-        inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
-    const Scalar v_s_B = -t05 * (d.psi_G_CEG.sin * velocity_across_slide_D
-        + sin_phi_B_plus_psi_C_BC_minus_phi_D * velocity_across_slide_G);
-    const Scalar v_s_C = -t05 * (sin_phi_B_minus_phi_D * velocity_across_slide_G
-        - sin_minus_psi_C_BC_minus_psi_G_CEG * velocity_across_slide_D);
-    const Scalar v_s_G = d.psi_G_CEG.cos * v_s_C - cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B
-        - velocity_along_slide_G;
-    const Scalar v_s_D = cos_phi_B_minus_phi_D * v_s_B + velocity_along_slide_D
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C;
-    q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_G;
-  }
-
   /// dq/dt and d2q/dt2 for the first and second rates of the inputs.
   template <typename Scalar>
   static void motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -953,6 +785,15 @@ struct Model15 {
     q_second_rate(3) = a_s_G;
   }
 
+  /// S_d = dq/dd and S_u = dq/du of an assembled configuration.
+  template <typename Scalar>
+  static void sensitivities(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
+      const Configuration<Scalar>& q, Matrix<Scalar, unknown_count, dimension_count>& S_d,
+      Matrix<Scalar, unknown_count, input_count>& S_u) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
+  }
+
   /// All of the above at once: S_d = dq/dd, S_u = dq/du, dq/dt and d2q/dt2.
   template <typename Scalar>
   static void sensitivities_and_motion(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
@@ -961,175 +802,61 @@ struct Model15 {
       Matrix<Scalar, unknown_count, dimension_count>& S_d,
       Matrix<Scalar, unknown_count, input_count>& S_u, Vector<Scalar, unknown_count>& q_rate,
       Vector<Scalar, unknown_count>& q_second_rate) {
+    const SensitivityTerms<Scalar> s{d, u, q};
+    s.put(S_d, S_u);
     const Scalar v_x_B = u_rate(0), a_x_B = u_second_rate(0), v_y_B = u_rate(1);
     const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
     const Scalar v_x_D = u_rate(3), a_x_D = u_second_rate(3), v_y_D = u_rate(4);
     const Scalar a_y_D = u_second_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
     const Scalar v_x_F = u_rate(6), a_x_F = u_second_rate(6), v_y_F = u_rate(7);
     const Scalar a_y_F = u_second_rate(7);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar cos_FG = d.psi_G_CEG.cos * cos_CEG - d.psi_G_CEG.sin * sin_CEG;
-    const Scalar sin_FG = d.psi_G_CEG.cos * sin_CEG + d.psi_G_CEG.sin * cos_CEG;
-    const Scalar cos_phi_B_minus_phi_D = u.phi_B.cos * u.phi_D.cos + u.phi_B.sin * u.phi_D.sin;
-    const Scalar sin_phi_B_minus_phi_D = u.phi_B.sin * u.phi_D.cos - u.phi_B.cos * u.phi_D.sin;
-    const Scalar cos_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * cos_CEG
-        + u.phi_D.sin * sin_CEG;
-    const Scalar sin_phi_B_plus_psi_C_BC_minus_phi_D = u.phi_D.cos * sin_CEG
-        - u.phi_D.sin * cos_CEG;
-    const Scalar cos_minus_psi_C_BC_minus_psi_G_CEG = d.psi_C_BC.cos * d.psi_G_CEG.cos
-        - d.psi_C_BC.sin * d.psi_G_CEG.sin;
-    const Scalar sin_minus_psi_C_BC_minus_psi_G_CEG = -d.psi_C_BC.sin * d.psi_G_CEG.cos
-        - d.psi_C_BC.cos * d.psi_G_CEG.sin;
-    const Scalar t01 = q.s_C * cos_phi_B_plus_psi_C_BC_minus_phi_D
-        - d.h_C_CEG * sin_phi_B_plus_psi_C_BC_minus_phi_D;
-    const Scalar phi_B_along_slide_D = t01 - q.s_B * cos_phi_B_minus_phi_D;
-    const Scalar phi_B_across_slide_D = q.s_C * sin_phi_B_plus_psi_C_BC_minus_phi_D
-        + d.h_C_CEG * cos_phi_B_plus_psi_C_BC_minus_phi_D - q.s_B * sin_phi_B_minus_phi_D;
-    const Scalar t02 = d.h_C_CEG * d.psi_G_CEG.sin + q.s_C * d.psi_G_CEG.cos - q.s_G;
-    const Scalar phi_B_along_slide_G = t02 - q.s_B * cos_minus_psi_C_BC_minus_psi_G_CEG;
-    const Scalar t03 = d.h_G_CEG - d.h_G_FG;
-    const Scalar phi_B_across_slide_G = d.h_C_CEG * d.psi_G_CEG.cos
-        - q.s_B * sin_minus_psi_C_BC_minus_psi_G_CEG - q.s_C * d.psi_G_CEG.sin - t03;
-    const Scalar sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = u.phi_D.cos * sin_FG
-        - u.phi_D.sin * cos_FG;
-    const Scalar pivot_product = -d.psi_C_BC.sin *
-        sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D;
-    // A zero divisor means sin(phi_B - phi_D + psi_C_BC + psi_G_CEG) = 0, or sin(psi_C_BC) = 0.
-    const Scalar inverse = Scalar(1) / pivot_product;
-    const Scalar inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D = d.psi_C_BC.sin *
-        inverse;
-    const Scalar inverse_sin_psi_C_BC = -sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
-        inverse;
-    const Scalar t04 = inverse_sin_phi_B_plus_psi_C_BC_plus_psi_G_CEG_minus_phi_D *
-        inverse_sin_psi_C_BC;
-    const Scalar s_B_per_across_slide_D = -d.psi_G_CEG.sin * t04;
-    const Scalar s_C_per_across_slide_D = sin_minus_psi_C_BC_minus_psi_G_CEG * t04;
-    const Scalar s_G_per_across_slide_D = d.psi_G_CEG.cos * s_C_per_across_slide_D
-        - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_D;
-    const Scalar t05 = cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_D;
-    const Scalar s_D_per_across_slide_D = cos_phi_B_minus_phi_D * s_B_per_across_slide_D - t05;
-    const Scalar s_B_per_across_slide_G = -sin_phi_B_plus_psi_C_BC_minus_phi_D * t04;
-    const Scalar s_C_per_across_slide_G = -sin_phi_B_minus_phi_D * t04;
-    const Scalar t06 = d.psi_G_CEG.cos * s_C_per_across_slide_G;
-    const Scalar s_G_per_across_slide_G = t06
-        - cos_minus_psi_C_BC_minus_psi_G_CEG * s_B_per_across_slide_G;
-    const Scalar s_D_per_across_slide_G = cos_phi_B_minus_phi_D * s_B_per_across_slide_G
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_C_per_across_slide_G;
-    const Scalar s_B_per_x_D = u.phi_D.sin * s_B_per_across_slide_D;
-    const Scalar s_B_per_x_F = sin_FG * s_B_per_across_slide_G;
-    const Scalar s_B_per_x_B = -s_B_per_x_D - s_B_per_x_F;
-    const Scalar s_C_per_x_D = u.phi_D.sin * s_C_per_across_slide_D;
-    const Scalar s_C_per_x_F = sin_FG * s_C_per_across_slide_G;
-    const Scalar s_C_per_x_B = -s_C_per_x_D - s_C_per_x_F;
-    const Scalar s_D_per_x_D = u.phi_D.sin * s_D_per_across_slide_D - u.phi_D.cos;
-    const Scalar s_D_per_x_F = sin_FG * s_D_per_across_slide_G;
-    const Scalar s_D_per_x_B = -s_D_per_x_D - s_D_per_x_F;
-    const Scalar s_G_per_x_D = u.phi_D.sin * s_G_per_across_slide_D;
-    const Scalar s_G_per_x_F = cos_FG + sin_FG * s_G_per_across_slide_G;
-    const Scalar s_G_per_x_B = -s_G_per_x_D - s_G_per_x_F;
-    const Scalar s_B_per_y_D = -u.phi_D.cos * s_B_per_across_slide_D;
-    const Scalar s_B_per_y_F = -cos_FG * s_B_per_across_slide_G;
-    const Scalar s_B_per_y_B = -s_B_per_y_D - s_B_per_y_F;
-    const Scalar s_C_per_y_D = -u.phi_D.cos * s_C_per_across_slide_D;
-    const Scalar s_C_per_y_F = -cos_FG * s_C_per_across_slide_G;
-    const Scalar s_C_per_y_B = -s_C_per_y_D - s_C_per_y_F;
-    const Scalar s_D_per_y_D = -u.phi_D.sin - u.phi_D.cos * s_D_per_across_slide_D;
-    const Scalar s_D_per_y_F = -cos_FG * s_D_per_across_slide_G;
-    const Scalar s_D_per_y_B = -s_D_per_y_D - s_D_per_y_F;
-    const Scalar s_G_per_y_D = -u.phi_D.cos * s_G_per_across_slide_D;
-    const Scalar s_G_per_y_F = sin_FG - cos_FG * s_G_per_across_slide_G;
-    const Scalar s_G_per_y_B = -s_G_per_y_D - s_G_per_y_F;
-    const Scalar s_B_per_phi_B = -phi_B_along_slide_D * s_B_per_across_slide_D
-        - phi_B_along_slide_G * s_B_per_across_slide_G;
-    const Scalar s_C_per_phi_B = -phi_B_along_slide_D * s_C_per_across_slide_D
-        - phi_B_along_slide_G * s_C_per_across_slide_G;
-    const Scalar s_D_per_phi_B = phi_B_across_slide_D - phi_B_along_slide_D * s_D_per_across_slide_D
-        - phi_B_along_slide_G * s_D_per_across_slide_G;
-    const Scalar s_G_per_phi_B = -phi_B_along_slide_D * s_G_per_across_slide_D
-        - phi_B_along_slide_G * s_G_per_across_slide_G - phi_B_across_slide_G;
-    const Scalar s_B_per_phi_D = -q.s_D * s_B_per_across_slide_D;
-    const Scalar s_C_per_phi_D = -q.s_D * s_C_per_across_slide_D;
-    const Scalar s_D_per_phi_D = -q.s_D * s_D_per_across_slide_D - d.h_D_DE;
-    const Scalar s_G_per_phi_D = -q.s_D * s_G_per_across_slide_D;
-    const Scalar v_s_B = s_B_per_x_B * v_x_B + s_B_per_y_B * v_y_B + s_B_per_phi_B * omega_B
-        + s_B_per_x_D * v_x_D + s_B_per_y_D * v_y_D + s_B_per_phi_D * omega_D + s_B_per_x_F * v_x_F
-        + s_B_per_y_F * v_y_F;
-    const Scalar v_s_C = s_C_per_x_B * v_x_B + s_C_per_y_B * v_y_B + s_C_per_phi_B * omega_B
-        + s_C_per_x_D * v_x_D + s_C_per_y_D * v_y_D + s_C_per_phi_D * omega_D + s_C_per_x_F * v_x_F
-        + s_C_per_y_F * v_y_F;
-    const Scalar v_s_D = s_D_per_x_B * v_x_B + s_D_per_y_B * v_y_B + s_D_per_phi_B * omega_B
-        + s_D_per_x_D * v_x_D + s_D_per_y_D * v_y_D + s_D_per_phi_D * omega_D + s_D_per_x_F * v_x_F
-        + s_D_per_y_F * v_y_F;
-    const Scalar v_s_G = s_G_per_x_B * v_x_B + s_G_per_y_B * v_y_B + s_G_per_phi_B * omega_B
-        + s_G_per_x_D * v_x_D + s_G_per_y_D * v_y_D + s_G_per_phi_D * omega_D + s_G_per_x_F * v_x_F
-        + s_G_per_y_F * v_y_F;
+    const Scalar v_s_B = s.s_B_per_x_B * v_x_B + s.s_B_per_y_B * v_y_B + s.s_B_per_phi_B * omega_B
+        + s.s_B_per_x_D * v_x_D + s.s_B_per_y_D * v_y_D + s.s_B_per_phi_D * omega_D
+        + s.s_B_per_x_F * v_x_F + s.s_B_per_y_F * v_y_F;
+    const Scalar v_s_C = s.s_C_per_x_B * v_x_B + s.s_C_per_y_B * v_y_B + s.s_C_per_phi_B * omega_B
+        + s.s_C_per_x_D * v_x_D + s.s_C_per_y_D * v_y_D + s.s_C_per_phi_D * omega_D
+        + s.s_C_per_x_F * v_x_F + s.s_C_per_y_F * v_y_F;
+    const Scalar v_s_D = s.s_D_per_x_B * v_x_B + s.s_D_per_y_B * v_y_B + s.s_D_per_phi_B * omega_B
+        + s.s_D_per_x_D * v_x_D + s.s_D_per_y_D * v_y_D + s.s_D_per_phi_D * omega_D
+        + s.s_D_per_x_F * v_x_F + s.s_D_per_y_F * v_y_F;
+    const Scalar v_s_G = s.s_G_per_x_B * v_x_B + s.s_G_per_y_B * v_y_B + s.s_G_per_phi_B * omega_B
+        + s.s_G_per_x_D * v_x_D + s.s_G_per_y_D * v_y_D + s.s_G_per_phi_D * omega_D
+        + s.s_G_per_x_F * v_x_F + s.s_G_per_y_F * v_y_F;
     const Scalar centripetal_along_slide_D = q.s_D * omega_D * omega_D
-        - omega_B * (Scalar(2) * sin_phi_B_minus_phi_D * v_s_B
-        - Scalar(2) * sin_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C - phi_B_along_slide_D * omega_B);
-    const Scalar centripetal_across_slide_D = omega_B * (Scalar(2) * cos_phi_B_minus_phi_D * v_s_B
-        + phi_B_across_slide_D * omega_B - Scalar(2) * cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C)
-        - omega_D * (d.h_D_DE * omega_D + Scalar(2) * v_s_D);
+        - omega_B * (Scalar(2) * s.sin_phi_B_minus_phi_D * v_s_B
+        - Scalar(2) * s.sin_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C
+        - s.phi_B_along_slide_D * omega_B);
+    const Scalar centripetal_across_slide_D = omega_B * (Scalar(2) * s.cos_phi_B_minus_phi_D * v_s_B
+        + s.phi_B_across_slide_D * omega_B
+        - Scalar(2) * s.cos_phi_B_plus_psi_C_BC_minus_phi_D * v_s_C) - omega_D * (d.h_D_DE * omega_D
+        + Scalar(2) * v_s_D);
     const Scalar centripetal_along_slide_G = -omega_B * (Scalar(2) * d.psi_G_CEG.sin * v_s_C
-        + Scalar(2) * sin_minus_psi_C_BC_minus_psi_G_CEG * v_s_B - phi_B_along_slide_G * omega_B);
+        + Scalar(2) * s.sin_minus_psi_C_BC_minus_psi_G_CEG * v_s_B
+        - s.phi_B_along_slide_G * omega_B);
     const Scalar centripetal_across_slide_G = -omega_B * (Scalar(2) * d.psi_G_CEG.cos * v_s_C
-        - Scalar(2) * cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B - Scalar(2) * v_s_G
-        - phi_B_across_slide_G * omega_B);
-    const Scalar t07 = sin_phi_B_plus_psi_C_BC_minus_phi_D
-        - d.psi_G_CEG.cos * s_D_per_across_slide_G
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D;
-    const Scalar t08 = q.s_G * s_D_per_across_slide_G;
-    const Scalar t09 = d.psi_G_CEG.sin - d.psi_G_CEG.cos * s_G_per_across_slide_G
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_G_per_across_slide_D;
-    const Scalar t10 = q.s_G * s_G_per_across_slide_G + t03;
-    S_d(0, 0) = -d.psi_G_CEG.cos * s_B_per_across_slide_G
-        - cos_phi_B_plus_psi_C_BC_minus_phi_D * s_B_per_across_slide_D;
-    S_d(0, 1) = q.s_G * s_B_per_across_slide_G;  S_d(0, 2) = s_B_per_across_slide_G;
-    S_d(0, 3) = -t01 * s_B_per_across_slide_D - t02 * s_B_per_across_slide_G;
-    S_d(0, 4) = s_B_per_across_slide_D;  S_d(0, 5) = -s_B_per_across_slide_G;
-    S_d(1, 0) = -t05 - t06;  S_d(1, 1) = q.s_G * s_C_per_across_slide_G;
-    S_d(1, 2) = s_C_per_across_slide_G;
-    S_d(1, 3) = -t01 * s_C_per_across_slide_D - t02 * s_C_per_across_slide_G;
-    S_d(1, 4) = s_C_per_across_slide_D;  S_d(1, 5) = -s_C_per_across_slide_G;
-    S_d(2, 0) = t07;  S_d(2, 1) = t08;  S_d(2, 2) = s_D_per_across_slide_G;
-    S_d(2, 3) = t08 + q.s_C * t07 + d.h_C_CEG * (cos_phi_B_plus_psi_C_BC_minus_phi_D
-        + sin_phi_B_plus_psi_C_BC_minus_phi_D * s_D_per_across_slide_D
-        - d.psi_G_CEG.sin * s_D_per_across_slide_G);
-    S_d(2, 4) = s_D_per_across_slide_D;  S_d(2, 5) = -s_D_per_across_slide_G;
-    S_d(3, 0) = t09;  S_d(3, 1) = t10;  S_d(3, 2) = s_G_per_across_slide_G;
-    S_d(3, 3) = q.s_C * t09 + t10 - d.h_C_CEG * (d.psi_G_CEG.cos
-        + d.psi_G_CEG.sin * s_G_per_across_slide_G
-        - sin_phi_B_plus_psi_C_BC_minus_phi_D * s_G_per_across_slide_D);
-    S_d(3, 4) = s_G_per_across_slide_D;  S_d(3, 5) = -s_G_per_across_slide_G;
-    S_u(0, 0) = s_B_per_x_B;  S_u(0, 1) = s_B_per_y_B;  S_u(0, 2) = s_B_per_phi_B;
-    S_u(0, 3) = s_B_per_x_D;  S_u(0, 4) = s_B_per_y_D;  S_u(0, 5) = s_B_per_phi_D;
-    S_u(0, 6) = s_B_per_x_F;  S_u(0, 7) = s_B_per_y_F;
-    S_u(1, 0) = s_C_per_x_B;  S_u(1, 1) = s_C_per_y_B;  S_u(1, 2) = s_C_per_phi_B;
-    S_u(1, 3) = s_C_per_x_D;  S_u(1, 4) = s_C_per_y_D;  S_u(1, 5) = s_C_per_phi_D;
-    S_u(1, 6) = s_C_per_x_F;  S_u(1, 7) = s_C_per_y_F;
-    S_u(2, 0) = s_D_per_x_B;  S_u(2, 1) = s_D_per_y_B;  S_u(2, 2) = s_D_per_phi_B;
-    S_u(2, 3) = s_D_per_x_D;  S_u(2, 4) = s_D_per_y_D;  S_u(2, 5) = s_D_per_phi_D;
-    S_u(2, 6) = s_D_per_x_F;  S_u(2, 7) = s_D_per_y_F;
-    S_u(3, 0) = s_G_per_x_B;  S_u(3, 1) = s_G_per_y_B;  S_u(3, 2) = s_G_per_phi_B;
-    S_u(3, 3) = s_G_per_x_D;  S_u(3, 4) = s_G_per_y_D;  S_u(3, 5) = s_G_per_phi_D;
-    S_u(3, 6) = s_G_per_x_F;  S_u(3, 7) = s_G_per_y_F;
+        - Scalar(2) * s.cos_minus_psi_C_BC_minus_psi_G_CEG * v_s_B - Scalar(2) * v_s_G
+        - s.phi_B_across_slide_G * omega_B);
     q_rate(0) = v_s_B;  q_rate(1) = v_s_C;  q_rate(2) = v_s_D;  q_rate(3) = v_s_G;
-    q_second_rate(0) = s_B_per_x_B * a_x_B + s_B_per_y_B * a_y_B + s_B_per_phi_B * alpha_B
-        + s_B_per_x_D * a_x_D + s_B_per_y_D * a_y_D + s_B_per_phi_D * alpha_D + s_B_per_x_F * a_x_F
-        + s_B_per_y_F * a_y_F + s_B_per_across_slide_D * centripetal_across_slide_D
-        + s_B_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(1) = s_C_per_x_B * a_x_B + s_C_per_y_B * a_y_B + s_C_per_phi_B * alpha_B
-        + s_C_per_x_D * a_x_D + s_C_per_y_D * a_y_D + s_C_per_phi_D * alpha_D + s_C_per_x_F * a_x_F
-        + s_C_per_y_F * a_y_F + s_C_per_across_slide_D * centripetal_across_slide_D
-        + s_C_per_across_slide_G * centripetal_across_slide_G;
-    q_second_rate(2) = s_D_per_x_B * a_x_B + s_D_per_y_B * a_y_B + s_D_per_phi_B * alpha_B
-        + s_D_per_x_D * a_x_D + s_D_per_y_D * a_y_D + s_D_per_phi_D * alpha_D + s_D_per_x_F * a_x_F
-        + s_D_per_y_F * a_y_F + s_D_per_across_slide_D * centripetal_across_slide_D
-        + s_D_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_D;
-    q_second_rate(3) = s_G_per_x_B * a_x_B + s_G_per_y_B * a_y_B + s_G_per_phi_B * alpha_B
-        + s_G_per_x_D * a_x_D + s_G_per_y_D * a_y_D + s_G_per_phi_D * alpha_D + s_G_per_x_F * a_x_F
-        + s_G_per_y_F * a_y_F + s_G_per_across_slide_D * centripetal_across_slide_D
-        + s_G_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_G;
+    q_second_rate(0) = s.s_B_per_x_B * a_x_B + s.s_B_per_y_B * a_y_B + s.s_B_per_phi_B * alpha_B
+        + s.s_B_per_x_D * a_x_D + s.s_B_per_y_D * a_y_D + s.s_B_per_phi_D * alpha_D
+        + s.s_B_per_x_F * a_x_F + s.s_B_per_y_F * a_y_F
+        + s.s_B_per_across_slide_D * centripetal_across_slide_D
+        + s.s_B_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(1) = s.s_C_per_x_B * a_x_B + s.s_C_per_y_B * a_y_B + s.s_C_per_phi_B * alpha_B
+        + s.s_C_per_x_D * a_x_D + s.s_C_per_y_D * a_y_D + s.s_C_per_phi_D * alpha_D
+        + s.s_C_per_x_F * a_x_F + s.s_C_per_y_F * a_y_F
+        + s.s_C_per_across_slide_D * centripetal_across_slide_D
+        + s.s_C_per_across_slide_G * centripetal_across_slide_G;
+    q_second_rate(2) = s.s_D_per_x_B * a_x_B + s.s_D_per_y_B * a_y_B + s.s_D_per_phi_B * alpha_B
+        + s.s_D_per_x_D * a_x_D + s.s_D_per_y_D * a_y_D + s.s_D_per_phi_D * alpha_D
+        + s.s_D_per_x_F * a_x_F + s.s_D_per_y_F * a_y_F
+        + s.s_D_per_across_slide_D * centripetal_across_slide_D
+        + s.s_D_per_across_slide_G * centripetal_across_slide_G + centripetal_along_slide_D;
+    q_second_rate(3) = s.s_G_per_x_B * a_x_B + s.s_G_per_y_B * a_y_B + s.s_G_per_phi_B * alpha_B
+        + s.s_G_per_x_D * a_x_D + s.s_G_per_y_D * a_y_D + s.s_G_per_phi_D * alpha_D
+        + s.s_G_per_x_F * a_x_F + s.s_G_per_y_F * a_y_F
+        + s.s_G_per_across_slide_D * centripetal_across_slide_D
+        + s.s_G_per_across_slide_G * centripetal_across_slide_G - centripetal_along_slide_G;
   }
 
   /// The final polynomial T in s_B, free of all other unknowns:

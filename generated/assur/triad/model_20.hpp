@@ -29,18 +29,11 @@ namespace assur::triad {
 /// two link frames' origins (on the base: from the point given).
 /// Lengths share one unit, angles are radians, rates are per unit of time.
 ///
-/// Special points of the closure links. Through either neighbour of its link, a point is moved in
-/// parallel by two unknowns.
-///   This model has no special points: the group is no structure.
-///
 /// Operations (multiplications, additions and subtractions, divisions):
 ///   residual:                     30, 26, 0
 ///   jacobian:                     12, 6, 0
 ///   dimension_jacobian:           24, 10, 0
 ///   input_jacobian:               30, 16, 0
-///   velocity_rhs:                 38, 28, 0
-///   acceleration_rhs:             78, 50, 0
-///   jerk_rhs:                     136, 80, 0
 ///   curvature_rhs:                114, 70, 0
 ///   link_poses:                   12, 10, 0
 ///   pose_jacobians:               12, 4, 0
@@ -61,7 +54,7 @@ struct Model20 {
   static constexpr int input_count = 9;
   static constexpr int compatibility_count = 2;
   static constexpr int closure_link_count = 1;
-  static constexpr bool has_special_points = false;
+  static constexpr bool has_special_points = false;  ///< whether functions of them follow
 
   /// Link dimensions d.
   template <typename Scalar>
@@ -256,144 +249,6 @@ struct Model20 {
     F_u(2, 8) = slide_G_y - slide_F_y;
     F_u(3, 1) = -Scalar(1);  F_u(3, 2) = -t02 - CG_x;  F_u(3, 7) = Scalar(1);
     F_u(3, 8) = slide_F_x - slide_G_x;
-  }
-
-  /// Right-hand side of J dq/dt = rhs for the rates du/dt of the inputs.
-  template <typename Scalar>
-  static void velocity_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, input_count>& u_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_x_B = u_rate(0), v_y_B = u_rate(1), omega_B = u_rate(2), v_x_D = u_rate(3);
-    const Scalar v_y_D = u_rate(4), omega_D = u_rate(5), v_x_F = u_rate(6), v_y_F = u_rate(7);
-    const Scalar omega_F = u_rate(8);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
-    const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar CG_x = -d.h_G_CEG * (sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin);
-    const Scalar CG_y = d.h_G_CEG * (cos_CEG * d.psi_G_CEG.cos - sin_CEG * d.psi_G_CEG.sin);
-    const Scalar cos_slide_G = u.phi_F.cos * d.psi_G_FG.cos - u.phi_F.sin * d.psi_G_FG.sin;
-    const Scalar sin_slide_G = u.phi_F.sin * d.psi_G_FG.cos + u.phi_F.cos * d.psi_G_FG.sin;
-    const Scalar slide_G_x = q.s_G * cos_slide_G, slide_G_y = q.s_G * sin_slide_G;
-    const Scalar t01 = slide_B_y - slide_C_y, t02 = slide_B_x - slide_C_x;
-    rhs(0) = (slide_D_y - slide_E_y) * omega_D + v_x_B - t01 * omega_B - v_x_D;
-    rhs(1) = t02 * omega_B + v_y_B - (slide_D_x - slide_E_x) * omega_D - v_y_D;
-    rhs(2) = v_x_B + (slide_F_y - slide_G_y) * omega_F - v_x_F - (t01 + CG_y) * omega_B;
-    rhs(3) = v_y_B + (t02 + CG_x) * omega_B - (slide_F_x - slide_G_x) * omega_F - v_y_F;
-  }
-
-  /// Right-hand side of J d2q/dt2 = rhs: centripetal and Coriolis terms of the
-  /// rates dq/dt, du/dt, and the second rates d2u/dt2 of the inputs.
-  template <typename Scalar>
-  static void acceleration_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, input_count>& u_rate, const Vector<Scalar, input_count>& u_second_rate,
-      Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), v_s_C = q_rate(1), v_s_D = q_rate(2), v_s_E = q_rate(3);
-    const Scalar v_s_F = q_rate(4), v_s_G = q_rate(5), a_x_B = u_second_rate(0);
-    const Scalar a_y_B = u_second_rate(1), omega_B = u_rate(2), alpha_B = u_second_rate(2);
-    const Scalar a_x_D = u_second_rate(3), a_y_D = u_second_rate(4), omega_D = u_rate(5);
-    const Scalar alpha_D = u_second_rate(5), a_x_F = u_second_rate(6), a_y_F = u_second_rate(7);
-    const Scalar omega_F = u_rate(8), alpha_F = u_second_rate(8);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
-    const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar CG_x = -d.h_G_CEG * (sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin);
-    const Scalar CG_y = d.h_G_CEG * (cos_CEG * d.psi_G_CEG.cos - sin_CEG * d.psi_G_CEG.sin);
-    const Scalar cos_slide_G = u.phi_F.cos * d.psi_G_FG.cos - u.phi_F.sin * d.psi_G_FG.sin;
-    const Scalar sin_slide_G = u.phi_F.sin * d.psi_G_FG.cos + u.phi_F.cos * d.psi_G_FG.sin;
-    const Scalar slide_G_x = q.s_G * cos_slide_G, slide_G_y = q.s_G * sin_slide_G;
-    const Scalar t01 = slide_D_x - slide_E_x, t02 = slide_B_y - slide_C_y;
-    const Scalar t03 = slide_D_y - slide_E_y, t04 = slide_B_x - slide_C_x;
-    const Scalar t05 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C;
-    const Scalar t06 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t07 = slide_F_x - slide_G_x;
-    const Scalar t08 = slide_F_y - slide_G_y, t09 = t04 + CG_x, t10 = t02 + CG_y;
-    rhs(0) = omega_D * (t01 * omega_D + Scalar(2) * u.phi_D.sin * v_s_D
-        - Scalar(2) * sin_slide_E * v_s_E) + t03 * alpha_D + a_x_B - t02 * alpha_B - a_x_D
-        - omega_B * (t04 * omega_B + Scalar(2) * t05);
-    rhs(1) = omega_D * (t03 * omega_D + Scalar(2) * cos_slide_E * v_s_E
-        - Scalar(2) * u.phi_D.cos * v_s_D) + t04 * alpha_B + a_y_B - t01 * alpha_D - a_y_D
-        - omega_B * (t02 * omega_B - Scalar(2) * t06);
-    rhs(2) = a_x_B + omega_F * (t07 * omega_F + Scalar(2) * u.phi_F.sin * v_s_F
-        - Scalar(2) * sin_slide_G * v_s_G) + t08 * alpha_F - a_x_F - omega_B * (Scalar(2) * t05
-        + t09 * omega_B) - t10 * alpha_B;
-    rhs(3) = a_y_B + omega_F * (t08 * omega_F + Scalar(2) * cos_slide_G * v_s_G
-        - Scalar(2) * u.phi_F.cos * v_s_F) + t09 * alpha_B + omega_B * (Scalar(2) * t06
-        - t10 * omega_B) - t07 * alpha_F - a_y_F;
-  }
-
-  /// Right-hand side of J d3q/dt3 = rhs from the lower rates, and the rates of the
-  /// inputs up to the third.
-  template <typename Scalar>
-  static void jerk_rhs(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
-      const Configuration<Scalar>& q, const Vector<Scalar, unknown_count>& q_rate,
-      const Vector<Scalar, unknown_count>& q_second_rate, const Vector<Scalar, input_count>& u_rate,
-      const Vector<Scalar, input_count>& u_second_rate,
-      const Vector<Scalar, input_count>& u_third_rate, Vector<Scalar, equation_count>& rhs) {
-    const Scalar v_s_B = q_rate(0), a_s_B = q_second_rate(0), v_s_C = q_rate(1);
-    const Scalar a_s_C = q_second_rate(1), v_s_D = q_rate(2), a_s_D = q_second_rate(2);
-    const Scalar v_s_E = q_rate(3), a_s_E = q_second_rate(3), v_s_F = q_rate(4);
-    const Scalar a_s_F = q_second_rate(4), v_s_G = q_rate(5), a_s_G = q_second_rate(5);
-    const Scalar j_x_B = u_third_rate(0), j_y_B = u_third_rate(1), omega_B = u_rate(2);
-    const Scalar alpha_B = u_second_rate(2), jerk_B = u_third_rate(2), j_x_D = u_third_rate(3);
-    const Scalar j_y_D = u_third_rate(4), omega_D = u_rate(5), alpha_D = u_second_rate(5);
-    const Scalar jerk_D = u_third_rate(5), j_x_F = u_third_rate(6), j_y_F = u_third_rate(7);
-    const Scalar omega_F = u_rate(8), alpha_F = u_second_rate(8), jerk_F = u_third_rate(8);
-    const Scalar cos_CEG = d.psi_C_BC.cos * u.phi_B.cos - d.psi_C_BC.sin * u.phi_B.sin;
-    const Scalar sin_CEG = d.psi_C_BC.cos * u.phi_B.sin + u.phi_B.cos * d.psi_C_BC.sin;
-    const Scalar slide_D_x = q.s_D * u.phi_D.cos, slide_D_y = q.s_D * u.phi_D.sin;
-    const Scalar slide_B_x = q.s_B * u.phi_B.cos, slide_B_y = q.s_B * u.phi_B.sin;
-    const Scalar slide_C_x = q.s_C * cos_CEG, slide_C_y = q.s_C * sin_CEG;
-    const Scalar cos_slide_E = u.phi_D.cos * d.psi_E_DE.cos - u.phi_D.sin * d.psi_E_DE.sin;
-    const Scalar sin_slide_E = u.phi_D.sin * d.psi_E_DE.cos + u.phi_D.cos * d.psi_E_DE.sin;
-    const Scalar slide_E_x = q.s_E * cos_slide_E, slide_E_y = q.s_E * sin_slide_E;
-    const Scalar slide_F_x = q.s_F * u.phi_F.cos, slide_F_y = q.s_F * u.phi_F.sin;
-    const Scalar CG_x = -d.h_G_CEG * (sin_CEG * d.psi_G_CEG.cos + cos_CEG * d.psi_G_CEG.sin);
-    const Scalar CG_y = d.h_G_CEG * (cos_CEG * d.psi_G_CEG.cos - sin_CEG * d.psi_G_CEG.sin);
-    const Scalar cos_slide_G = u.phi_F.cos * d.psi_G_FG.cos - u.phi_F.sin * d.psi_G_FG.sin;
-    const Scalar sin_slide_G = u.phi_F.sin * d.psi_G_FG.cos + u.phi_F.cos * d.psi_G_FG.sin;
-    const Scalar slide_G_x = q.s_G * cos_slide_G, slide_G_y = q.s_G * sin_slide_G;
-    const Scalar t01 = u.phi_B.sin * v_s_B - sin_CEG * v_s_C, t02 = alpha_B * t01;
-    const Scalar t03 = slide_B_y - slide_C_y, t04 = u.phi_D.sin * v_s_D - sin_slide_E * v_s_E;
-    const Scalar t05 = slide_D_y - slide_E_y, t06 = slide_B_x - slide_C_x;
-    const Scalar t07 = u.phi_B.sin * a_s_B - sin_CEG * a_s_C;
-    const Scalar t08 = u.phi_B.cos * v_s_B - cos_CEG * v_s_C, t09 = slide_D_x - slide_E_x;
-    const Scalar t10 = u.phi_D.cos * v_s_D - cos_slide_E * v_s_E, t11 = t08 * alpha_B;
-    const Scalar t12 = u.phi_B.cos * a_s_B - cos_CEG * a_s_C;
-    const Scalar t13 = u.phi_F.sin * v_s_F - sin_slide_G * v_s_G, t14 = slide_F_y - slide_G_y;
-    const Scalar t15 = t03 + CG_y, t16 = t06 + CG_x, t17 = slide_F_x - slide_G_x;
-    const Scalar t18 = u.phi_F.cos * v_s_F - cos_slide_G * v_s_G;
-    rhs(0) = Scalar(3) * alpha_D * t04 + t05 * jerk_D + j_x_B + omega_D * (Scalar(3) * t09 * alpha_D
-        + Scalar(3) * u.phi_D.sin * a_s_D - Scalar(3) * sin_slide_E * a_s_E
-        - omega_D * (t05 * omega_D - Scalar(3) * t10)) - Scalar(3) * t02 - t03 * jerk_B - j_x_D
-        - omega_B * (Scalar(3) * t06 * alpha_B + Scalar(3) * t07 - omega_B * (t03 * omega_B
-        - Scalar(3) * t08));
-    rhs(1) = Scalar(3) * t11 + t06 * jerk_B + j_y_B + omega_D * (Scalar(3) * t05 * alpha_D
-        + Scalar(3) * cos_slide_E * a_s_E + omega_D * (Scalar(3) * t04 + t09 * omega_D)
-        - Scalar(3) * u.phi_D.cos * a_s_D) - Scalar(3) * t10 * alpha_D - t09 * jerk_D - j_y_D
-        - omega_B * (Scalar(3) * t03 * alpha_B + omega_B * (Scalar(3) * t01 + t06 * omega_B)
-        - Scalar(3) * t12);
-    rhs(2) = j_x_B + Scalar(3) * alpha_F * t13 + t14 * jerk_F + omega_F * (Scalar(3) * t17 * alpha_F
-        + Scalar(3) * u.phi_F.sin * a_s_F - Scalar(3) * sin_slide_G * a_s_G
-        - omega_F * (t14 * omega_F - Scalar(3) * t18)) - Scalar(3) * t02 - j_x_F - t15 * jerk_B
-        - omega_B * (Scalar(3) * t07 + omega_B * (Scalar(3) * t08 - t15 * omega_B)
-        + Scalar(3) * t16 * alpha_B);
-    rhs(3) = Scalar(3) * t11 + j_y_B + t16 * jerk_B + omega_B * (Scalar(3) * t12
-        - Scalar(3) * t15 * alpha_B - omega_B * (Scalar(3) * t01 + t16 * omega_B))
-        + omega_F * (Scalar(3) * t14 * alpha_F + Scalar(3) * cos_slide_G * a_s_G
-        + omega_F * (Scalar(3) * t13 + t17 * omega_F) - Scalar(3) * u.phi_F.cos * a_s_F)
-        - Scalar(3) * t18 * alpha_F - t17 * jerk_F - j_y_F;
   }
 
   /// Right-hand side of J d2q/dt2 = rhs where the dimensions move too and dd/dt and

@@ -192,8 +192,7 @@ class CppText {
 
   [[nodiscard]] std::string operand(program::NodeIndex node, bool inside_product) const {
     if (!program_.name_of(node).empty()) {
-      return content(node).operation == Operation::symbol ? spelling_(program_.name_of(node))
-                                                          : program_.name_of(node);
+      return spelling_(program_.name_of(node));
     }
     const bool bracketed = inside_product && content(node).operation == Operation::sum;
     std::string text = bracketed ? "(" : "";
@@ -317,6 +316,11 @@ std::string round_trip(double value) {
 }
 
 void add_program(const program::Program& program, const Spelling& spelling, FilledLines& lines) {
+  add_steps(program, spelling, lines);
+  add_assignments(program, spelling, lines);
+}
+
+void add_steps(const program::Program& program, const Spelling& spelling, FilledLines& lines) {
   const CppText text(program, spelling);
   text.add_quotients(lines);
   for (const program::Program::Step& step : program.steps()) {
@@ -338,6 +342,11 @@ void add_program(const program::Program& program, const Spelling& spelling, Fill
       lines.add(statement + "  " + comment);
     }
   }
+}
+
+void add_assignments(const program::Program& program, const Spelling& spelling,
+                     FilledLines& lines) {
+  const CppText text(program, spelling);
   for (const program::Program::Assignment& assignment : program.assignments()) {
     lines.assign(assignment.target, text.scaled(assignment.value));
   }

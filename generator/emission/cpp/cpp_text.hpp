@@ -21,8 +21,10 @@ using Spelling = std::function<std::string(const std::string& symbol)>;
 /// Whether a double equals a rational number exactly.
 [[nodiscard]] bool is_double(const GiNaC::numeric& number);
 
-/// Adds the program's statements.
+/// Adds the program's statements: its steps, which are declarations, and its assignments.
 void add_program(const program::Program& program, const Spelling& spelling, FilledLines& lines);
+void add_steps(const program::Program& program, const Spelling& spelling, FilledLines& lines);
+void add_assignments(const program::Program& program, const Spelling& spelling, FilledLines& lines);
 
 /// The named constants that these statements read.
 [[nodiscard]] std::set<std::string> constants_of(const program::Program& program);

@@ -40,7 +40,7 @@ void FilledLines::assign(const std::string& target, const std::string& value) {
 }
 
 bool FilledLines::has_room(const std::string& more) const {
-  return body_indentation + lines_.back().size() + more.size() <= line_width;
+  return indentation_ + lines_.back().size() + more.size() <= line_width;
 }
 
 }  // namespace assur::generator::emission::cpp

@@ -14,6 +14,9 @@ constexpr std::size_t body_indentation = 4;
 /// stand beside one another, as long as the line is not full.
 class FilledLines {
  public:
+  /// Lines that are indented as far as the body of a member function, or further.
+  explicit FilledLines(std::size_t indentation = body_indentation) : indentation_(indentation) {}
+
   /// A line that shares its place with no other.
   void add(const std::string& line);
   /// What follows begins a line.
@@ -30,6 +33,7 @@ class FilledLines {
   /// Whether a line has room for more text behind it.
   [[nodiscard]] bool has_room(const std::string& more) const;
 
+  std::size_t indentation_;
   std::vector<std::string> lines_;
   Last last_ = Last::other;
   std::string row_;  ///< of the last assignment

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <assur/text/progress.hpp>
+#include <map>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "emission/cpp/files.hpp"
@@ -9,16 +12,15 @@
 
 namespace assur::generator::emission::model {
 
-/// What a header holds beside the functions of every model.
-struct ModelContents {
-  bool forces = false;  ///< the forces in the joints under given loads; only of a rigid model
-};
+/// The functions that a header holds on request only, by the word that requests them.
+[[nodiscard]] const std::map<std::string, std::set<std::string>>& functions_on_request();
 
-/// The header of one model: `assur/tetrad/model_02.hpp`. Throws InputError where the model cannot
-/// have the contents.
+/// The header of one model: `assur/tetrad/model_02.hpp`, with the functions of these words. Throws
+/// InputError where the model cannot have them.
 [[nodiscard]] cpp::EmittedFile emit_model(const structure::Model& model,
-                                          const ModelContents& contents = {});
+                                          const std::set<std::string>& with = {});
 /// The headers of every model of every group, and the lists of models. Progress counts models.
-[[nodiscard]] std::vector<cpp::EmittedFile> emit_all(const text::Progress& progress = {});
+[[nodiscard]] std::vector<cpp::EmittedFile> emit_all(const std::set<std::string>& with = {},
+                                                     const text::Progress& progress = {});
 
 }  // namespace assur::generator::emission::model

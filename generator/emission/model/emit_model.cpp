@@ -10,6 +10,7 @@
 #include "emission/model/force_function.hpp"
 #include "emission/model/model_view.hpp"
 #include "emission/model/rigid_functions.hpp"
+#include "emission/model/shared_terms.hpp"
 #include "emission/model/special_point_functions.hpp"
 
 namespace assur::generator::emission::model {
@@ -55,8 +56,16 @@ cpp::View::List kind_list(const structure::Model& model) {
   return list;
 }
 
-cpp::EmittedFile emit_model_list(const structure::Group& group) {
+/// ` --with jerk,rates`, as the command that writes the text anew says it.
+std::string with_option(const std::set<std::string>& with) {
+  return with.empty()
+             ? ""
+             : " --with " + text::joined(with, ",", [](const std::string& word) { return word; });
+}
+
+cpp::EmittedFile emit_model_list(const structure::Group& group, const std::set<std::string>& with) {
   cpp::View view;
+  view.set("options", with_option(with));
   view.set("group", group.name());
   cpp::View::List models;
   bool first = true;
@@ -73,21 +82,36 @@ cpp::EmittedFile emit_model_list(const structure::Group& group) {
           cpp::page("models.hpp", view)};
 }
 
-}  // namespace
+const SharedTerms sensitivity_terms = {
+    "SensitivityTerms",
+    "s",
+    {"What `sensitivities` and `sensitivities_and_motion` both compute."},
+    {"sensitivities", "sensitivities_and_motion"}};
 
-cpp::EmittedFile emit_model(const structure::Model& model, const ModelContents& contents) {
+/// The header of a model, without the forces of a degenerate one.
+struct ModelHeader {
+  cpp::EmittedFile file;
+  bool is_rigid;
+};
+
+ModelHeader header_of(const structure::Model& model, std::set<std::string> with) {
   const equations::ClosureEquations equations = equations::closure_equations(model);
   const derivatives::Derivatives derivatives = derivatives::differentiate(equations);
   const derivatives::Mobility mobility = derivatives::mobility_of(equations, derivatives.jacobian);
-  if (contents.forces && !mobility.rigid) {
-    throw text::InputError("--with forces: " + model.title() +
-                           " is degenerate, so that the equilibrium of its links determines no "
-                           "forces; leave it out, or give a rigid model");
+  if (!mobility.rigid) {
+    with.erase("forces");
+  }
+  std::set<std::string> left_out;
+  for (const auto& [word, names] : functions_on_request()) {
+    if (!with.contains(word)) {
+      left_out.insert(names.begin(), names.end());
+    }
   }
   ModelSpelling spelling(equations.unknowns, equations.dimensions, equations.inputs);
   SpecialPointFunctions special_functions;
   special_points::SpecialPoints special{{}, false, "the group is no structure"};
-  if (mobility.rigid) {
+  const bool shows_special_points = with.contains("special-points");
+  if (mobility.rigid && shows_special_points) {
     special = special_points::special_points(equations, derivatives);
   }
   if (special.defined) {
@@ -117,6 +141,9 @@ cpp::EmittedFile emit_model(const structure::Model& model, const ModelContents& 
       order.declare(symbol);
     }
     for (const ModelFunction& function : list) {
+      if (left_out.contains(function.name)) {
+        continue;
+      }
       const program::Program program(order, vocabulary.quantities(), function.results, rigid.known);
       functions.push_back(function_view(function, program, spelling));
       if (function.name == "position_polynomial") {
@@ -130,7 +157,7 @@ cpp::EmittedFile emit_model(const structure::Model& model, const ModelContents& 
   view.set("dimensions_doc", "Link dimensions d.");
   view.set("inputs_doc", "Inputs u: where the base holds the external joints.");
   view.set("group", model.group->name());
-  view.set("options", contents.forces ? " --with forces" : "");
+  view.set("options", with_option(with));
   view.set("title", capitalised(model.title()));
   view.set("struct", struct_name(model));
   view.set("number", std::to_string(model.number));
@@ -149,14 +176,26 @@ cpp::EmittedFile emit_model(const structure::Model& model, const ModelContents& 
   view.set("closure_link_list",
            text::joined(special_points::closure_links(*model.group), ", ",
                         [](structure::LinkIndex link) { return std::to_string(link.place()); }));
+  view.set("shows_special_points", shows_special_points);
   view.set("has_special_points", cpp::boolean(special.defined));
   view.set("has_positions", mobility.rigid);
   if (mobility.rigid) {
+    std::vector<NamingFunction> sharing;
     for (const NamingFunction& function : rigid.solutions) {
-      add_functions({function.function}, function.vocabulary);
+      if (sensitivity_terms.functions.contains(function.function.name)) {
+        sharing.push_back(function);
+      } else {
+        add_functions({function.function}, function.vocabulary);
+      }
     }
+    const SharedTermsViews shared =
+        shared_terms_views(sensitivity_terms, sharing,
+                           program::symbol_order(equations, sharing.back().vocabulary, rigid.known),
+                           rigid.known, spelling);
+    functions.insert(functions.end(), shared.functions.begin(), shared.functions.end());
+    view.set("shared_terms", cpp::View::List{shared.terms});
     add_functions(rigid.positions, elimination->vocabulary);
-    if (contents.forces) {
+    if (with.contains("forces")) {
       const ForceFunction forces =
           force_function(forces::group_forces(equations, derivatives, &*structured));
       for (const auto& [symbol, entry] : forces.loads) {
@@ -187,11 +226,36 @@ cpp::EmittedFile emit_model(const structure::Model& model, const ModelContents& 
   show_variables(equations.inputs, "input", view);
   view.set("joints", joint_list(model));
   view.set("kind_roles", kind_list(model));
-  return {std::filesystem::path("assur") / model.group->name() / file_name(model),
-          cpp::page("model.hpp", view)};
+  return {{std::filesystem::path("assur") / model.group->name() / file_name(model),
+           cpp::page("model.hpp", view)},
+          mobility.rigid};
 }
 
-std::vector<cpp::EmittedFile> emit_all(const text::Progress& progress) {
+}  // namespace
+
+const std::map<std::string, std::set<std::string>>& functions_on_request() {
+  static const std::map<std::string, std::set<std::string>> functions = {
+      {"forces", {"forces"}},
+      {"jerk", {"jerk_rhs"}},
+      {"rates", {"velocity_rhs", "acceleration_rhs", "velocity"}},
+      {"special-points",
+       {"special_point_lines", "special_point_lengths", "special_point_velocities",
+        "special_point_accelerations"}}};
+  return functions;
+}
+
+cpp::EmittedFile emit_model(const structure::Model& model, const std::set<std::string>& with) {
+  ModelHeader header = header_of(model, with);
+  if (with.contains("forces") && !header.is_rigid) {
+    throw text::InputError("--with forces: " + model.title() +
+                           " is degenerate, so that the equilibrium of its links determines no "
+                           "forces; leave it out, or give a rigid model");
+  }
+  return std::move(header.file);
+}
+
+std::vector<cpp::EmittedFile> emit_all(const std::set<std::string>& with,
+                                       const text::Progress& progress) {
   std::uint64_t count = 0;
   for (const structure::Group& group : structure::known_groups()) {
     count += structure::models_of(group).size();
@@ -200,12 +264,12 @@ std::vector<cpp::EmittedFile> emit_all(const text::Progress& progress) {
   std::uint64_t done = 0;
   for (const structure::Group& group : structure::known_groups()) {
     for (const structure::Model& model : structure::models_of(group)) {
-      files.push_back(emit_model(model));
+      files.push_back(header_of(model, with).file);
       if (progress) {
         progress(++done, count);
       }
     }
-    files.push_back(emit_model_list(group));
+    files.push_back(emit_model_list(group, with));
   }
   return files;
 }

@@ -10,15 +10,6 @@ namespace assur::generator::emission::model {
 
 namespace {
 
-/// Whether an output has entries that are zero: it is cleared before the others are assigned.
-bool mostly_zero(const ModelFunction& function, const Parameter& output) {
-  const std::string entries = output.name + "(";
-  return std::any_of(function.results.begin(), function.results.end(),
-                     [&](const program::Result& result) {
-                       return result.target.starts_with(entries) && result.value.is_zero();
-                     });
-}
-
 cpp::View::List pivot_list(const pivoting::StructuredJacobian& jacobian) {
   cpp::View::List list;
   for (const pivoting::Pivot& pivot : jacobian.pivots()) {
@@ -96,7 +87,8 @@ cpp::View::List link_list(const equations::ClosureEquations& equations) {
 }
 
 cpp::View function_view(const ModelFunction& function, const program::Program& program,
-                        const ModelSpelling& spelling, ZeroResults zeros) {
+                        const ModelSpelling& spelling, ZeroResults zeros,
+                        const FirstStatements& first) {
   const auto spell = [&](const std::string& symbol) { return spelling.spell(symbol); };
   cpp::FilledLines body;
   std::vector<std::pair<std::string, std::string>> taken_out;
@@ -114,6 +106,9 @@ cpp::View function_view(const ModelFunction& function, const program::Program& p
     }
   }
   const program::OperationCount count = program.count();
+  for (const std::string& line : first.lines) {
+    body.add(line);
+  }
   if (count.square_roots > 0) {
     body.add("using std::sqrt;");
   }
@@ -125,7 +120,7 @@ cpp::View function_view(const ModelFunction& function, const program::Program& p
   }
   body.begin_line();
   for (const Parameter& output : function.outputs) {
-    if (mostly_zero(function, output)) {
+    if (is_cleared(function, output)) {
       body.add(output.name + ".setZero();");
     }
   }
@@ -139,7 +134,8 @@ cpp::View function_view(const ModelFunction& function, const program::Program& p
   cpp::add_program(program, spell, body);
 
   const auto input_text = [&](const Parameter& parameter) {
-    return parameter.type + (used.contains(parameter.name) ? " " + parameter.name : "");
+    const bool is_used = used.contains(parameter.name) || first.reads.contains(parameter.name);
+    return parameter.type + (is_used ? " " + parameter.name : "");
   };
   const auto output_text = [&](const Parameter& parameter) {
     const bool assigned = zeros == ZeroResults::left_out ||
@@ -155,12 +151,25 @@ cpp::View function_view(const ModelFunction& function, const program::Program& p
   view.set("parameters", text::joined(function.inputs, ", ", input_text) + ", " +
                              text::joined(function.outputs, ", ", output_text));
   view.set("body", cpp::line_list(body.lines(), "    "));
-  view.set("padded_name", function.name + ":" + std::string(28 - function.name.size(), ' '));
+  show_operations(function.name, count, view);
+  return view;
+}
+
+bool is_cleared(const ModelFunction& function, const Parameter& output) {
+  const std::string entries = output.name + "(";
+  return std::any_of(function.results.begin(), function.results.end(),
+                     [&](const program::Result& result) {
+                       return result.target.starts_with(entries) && result.value.is_zero();
+                     });
+}
+
+void show_operations(const std::string& name, const program::OperationCount& count,
+                     cpp::View& view) {
+  view.set("padded_name", name + ":" + std::string(28 - name.size(), ' '));
   view.set("multiplications", std::to_string(count.multiplications));
   view.set("additions", std::to_string(count.additions));
   view.set("divisions", std::to_string(count.divisions));
   view.set("square_roots", std::to_string(count.square_roots));
-  return view;
 }
 
 std::vector<std::string> closure_lines(const equations::ClosureEquations& equations) {

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ class ModelSpelling {
     rates_[symbol.get_name()] = entry;
   }
 
+  /// Declares a name that is a member of a variable, `g.t01`.
+  void put_in(const std::string& name, const std::string& member) { members_[name] = member; }
+
   [[nodiscard]] std::string spell(const std::string& symbol) const {
     const auto found = members_.find(symbol);
     return found == members_.end() ? symbol : found->second;
@@ -58,10 +62,22 @@ void show_variables(const std::deque<equations::Variable>& variables, const std:
 /// general model know which of its results are zero; the numbers of a mechanism may make more zero.
 enum class ZeroResults : unsigned char { left_out, assigned };
 
+/// Statements before all others, and the parameters that they read.
+struct FirstStatements {
+  std::vector<std::string> lines;
+  std::set<std::string> reads;
+};
+
 [[nodiscard]] cpp::View function_view(const ModelFunction& function,
                                       const program::Program& program,
                                       const ModelSpelling& spelling,
-                                      ZeroResults zeros = ZeroResults::left_out);
+                                      ZeroResults zeros = ZeroResults::left_out,
+                                      const FirstStatements& first = {});
+/// Whether an output has entries that are zero: it is cleared before the others are assigned.
+[[nodiscard]] bool is_cleared(const ModelFunction& function, const Parameter& output);
+/// The name of a function as its header lists it, and how many operations it takes.
+void show_operations(const std::string& name, const program::OperationCount& count,
+                     cpp::View& view);
 /// The vector equations, and what the angles must satisfy beside them, one line each.
 [[nodiscard]] std::vector<std::string> closure_lines(const equations::ClosureEquations& equations);
 /// How the closed form comes about, one line per step.

@@ -154,7 +154,8 @@ template <typename Model, typename Scalar>
 }
 
 /// d3q/dt3 for the third rates of the inputs, with the lower rates from `motion`. The result is set
-/// where the status is ok or near_singular.
+/// where the status is ok or near_singular. A model's header holds what this needs on request:
+/// `assur emit --model N --with jerk`.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status jerk(const typename Model::template Dimensions<Scalar>& d,
                           const typename Model::template Inputs<Scalar>& u,

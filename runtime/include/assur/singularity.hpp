@@ -49,11 +49,11 @@ template <typename Model, typename Scalar>
   }
   Square jacobian;
   Matrix<Scalar, Model::equation_count, Model::dimension_count> f_d;
-  Vector<Scalar, Model::equation_count> f_t;
+  Matrix<Scalar, Model::equation_count, Model::input_count> f_u;
   Model::jacobian(d, u, q, jacobian);
   Model::dimension_jacobian(d, u, q, f_d);
-  Model::velocity_rhs(d, u, q, u_rate, f_t);
-  f_t = f_d * d_rate - f_t;
+  Model::input_jacobian(d, u, q, f_u);
+  const Vector<Scalar, Model::equation_count> f_t = f_d * d_rate + f_u * u_rate;
   for (int column = 0; column < Model::unknown_count; ++column) {
     const Scalar size = jacobian.col(column).cwiseAbs().maxCoeff();
     if (size > Scalar(0)) {

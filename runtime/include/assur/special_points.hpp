@@ -25,7 +25,9 @@ namespace assur {
 /// method fails where the lines are parallel, however regular the group is.
 template <typename Model, typename Scalar>
 class SpecialPointSystem {
-  static_assert(Model::has_special_points, "the special points of this model are not defined");
+  static_assert(Model::has_special_points,
+                "this header holds no special points: assur emit --model N --with special-points "
+                "writes those of a model for which they are defined");
 
  public:
   static constexpr int points = Model::closure_link_count;

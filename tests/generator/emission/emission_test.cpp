@@ -1,6 +1,7 @@
 // Law: emission depends on its input alone, and what is checked in is what the generator emits.
 #include <gtest/gtest.h>
 
+#include <map>
 #include <regex>
 #include <set>
 
@@ -57,6 +58,37 @@ TEST(Emission, WritesOneModelOfAGroup) {
     const std::string header = std::string("assur/") + path;
     EXPECT_EQ(whole_tree(directory.path()),
               header + "\n" + read_file(fs::path(ASSUR_GENERATED) / header));
+  }
+}
+
+/// The functions that a header has, by the operations that its head states.
+std::set<std::string> functions_of(const std::string& header) {
+  std::set<std::string> names;
+  const std::regex row(R"(///   (\w+): +\d+, \d+, \d+)");
+  for (std::sregex_iterator at(header.begin(), header.end(), row), end; at != end; ++at) {
+    names.insert((*at)[1]);
+  }
+  return names;
+}
+
+TEST(Emission, HoldsOnRequestWhatTheWordsStandFor) {
+  const fs::path header = "assur/tetrad/model_01.hpp";
+  const std::set<std::string> own = functions_of(read_file(fs::path(ASSUR_GENERATED) / header));
+  const std::map<std::string, std::set<std::string>> added = {
+      {"forces", {"forces"}},
+      {"jerk", {"jerk_rhs"}},
+      {"rates", {"acceleration_rhs", "velocity", "velocity_rhs"}},
+      {"special-points",
+       {"special_point_accelerations", "special_point_lengths", "special_point_lines",
+        "special_point_velocities"}},
+      {"rates,jerk", {"acceleration_rhs", "jerk_rhs", "velocity", "velocity_rhs"}}};
+  for (const auto& [words, functions] : added) {
+    const TemporaryDirectory directory;
+    const std::string call = "emit --model 1 --with " + words + " --output ";
+    ASSERT_EQ(run_assur(call + directory.path().string()).status, 0);
+    std::set<std::string> expected = own;
+    expected.insert(functions.begin(), functions.end());
+    EXPECT_EQ(functions_of(read_file(directory.path() / header)), expected) << words;
   }
 }
 
