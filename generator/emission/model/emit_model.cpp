@@ -159,7 +159,7 @@ cpp::EmittedFile emit_model(const structure::Model& model, const ModelContents& 
     if (contents.forces) {
       const ForceFunction forces =
           force_function(forces::group_forces(equations, derivatives, &*structured));
-      for (const auto& [symbol, entry] : forces.loads) {
+      for (const auto& [symbol, entry] : forces.given) {
         spelling.take_out(symbol, entry);
       }
       const program::SymbolOrder order = forces.order(equations, rigid.known);

@@ -214,15 +214,20 @@ cpp::Block holding_statements(const SolverScene& solver, mechanism::GroupIndex g
   return body.block();
 }
 
-PlacingStatements placing_statements(const SolverScene& solver, mechanism::GroupIndex group) {
+PlacingStatements placing_statements(const SolverScene& solver, mechanism::GroupIndex group,
+                                     const SpecialisedGroup& special) {
   FunctionBody body = solver.body();
   std::vector<std::string> slides;
   const std::size_t placed = group.place() + 1;
   add_part(solver, group, body, [&] { add_group(solver, group, body, slides); });
   if (solver.keeps_groups()) {
     const cpp::Expression of_group = cpp::variable("group");
+    std::vector<cpp::Expression> kept = {of_group.member("q"), of_group.member("regularity")};
+    if (special.shares_reciprocals) {
+      kept.push_back(of_group.member("reciprocals"));
+    }
     body.add(cpp::assigned(cpp::variable("placed").member(solver.members.solved[group]),
-                           cpp::braces("", {of_group.member("q"), of_group.member("regularity")})));
+                           cpp::braces("", std::move(kept))));
   }
   for (const mechanism::CarriedLink& link : solver.plan.structure().carried) {
     if (link.groups_before == placed) {

@@ -172,7 +172,11 @@ class GroupForces {
   /// Finds the forces where the configuration is regular.
   template <typename Held>
   void solve(const Held& held, const SolvedGroup<Group, Scalar>& solved) {
-    Group::forces(held.u, solved.q, loads_, forces_);
+    if constexpr (reciprocal_count < Group >> 0) {
+      Group::forces(held.u, solved.q, loads_, solved.reciprocals, forces_);
+    } else {
+      Group::forces(held.u, solved.q, loads_, forces_);
+    }
   }
   /// The force of a joint on its second link.
   [[nodiscard]] Vector<Scalar, 2> force(int joint) const {
