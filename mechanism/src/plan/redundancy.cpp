@@ -115,7 +115,7 @@ class Balancer {
   void relax(JointIndex joint, FeatureIndex feature) {
     const Joint& at = mechanism_.joints()[joint];
     const FeatureIndex other = at.between[0] == feature ? at.between[1] : at.between[0];
-    const RedundantJoint whole{at.name, other, feature};
+    const RedundantJoint whole{at.name, other, feature, {}, {}, at.between[0] == feature};
     if (at.type == JointType::pin_in_slot) {
       if (!mechanism_.features()[feature].is_line) {  // its one constraint is left out once
         consider({whole}, 1);

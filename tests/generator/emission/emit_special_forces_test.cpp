@@ -188,6 +188,7 @@ TEST(EmitSpecialForces, OfASpringWithoutADirectionAreThoseOfSolve) {
   scene["springs"]["K"]["length"] = 0;
   scenes.push_back({"without_length", scene});
   scene["springs"]["K"]["damping"] = 2;
+  scenes.push_back({"with_damper_at_rest", scene});
   scene["drivers"]["A"]["velocity"] = 1;
   scenes.push_back({"with_damper", scene});
   const Compared compared = compare(scenes);
