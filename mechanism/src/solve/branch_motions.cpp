@@ -15,7 +15,6 @@
 #include "moving_laws.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
-#include "redundant_joints.hpp"
 #include "relative_frames.hpp"
 
 namespace assur::mechanism::solve {
@@ -104,12 +103,6 @@ Configuration moving_along(const MovingConstraints& F, const Motion& motion,
   return result;
 }
 
-/// Whether constraints that need to hold only within a tolerance do so along a motion.
-bool holds_within_tolerance(const Values& values, const Configuration& motion) {
-  return !values.plan().request.redundancy_tolerance.exists() ||
-         moves_redundantly(values, motion.links);
-}
-
 }  // namespace
 
 void find_derivatives(const Values& values, const PlacedLinks& placed, ParameterIndex parameter,
@@ -163,8 +156,6 @@ void find_branches(const Values& values, Configuration& configuration) {
   for (const Motion& motion : *known) {
     found.push_back(moving_along(F, motion, configuration));
   }
-  std::erase_if(
-      found, [&](const Configuration& motion) { return !holds_within_tolerance(values, motion); });
   if (found.size() == 1) {
     configuration = std::move(found.front());
     return;

@@ -3,6 +3,7 @@
 #include <Eigen/SVD>
 #include <algorithm>
 #include <assur/local/singular_point.hpp>
+#include <assur/support/redundant.hpp>
 #include <cmath>
 #include <set>
 
@@ -359,7 +360,7 @@ class MotionSearch {
         -M.matrixV().leftCols(rank) * (M.matrixU().leftCols(rank).transpose() * open)
                                           .cwiseQuotient(M.singularValues().head(rank));
     const Eigen::MatrixXd unreached = M.matrixU().rightCols(open.size() - rank);
-    const bool goes_on = (unreached.transpose() * open).norm() <= some_digits * (1 + f.norm());
+    const bool goes_on = (unreached.transpose() * open).norm() <= agreement * (1 + f.norm());
     if (rank == N_.cols()) {
       if (goes_on) {
         add(parts, second + N_ * part, true);
@@ -399,10 +400,8 @@ class MotionSearch {
 
   /// What several sums and products make of a rounding.
   static constexpr double some = 16;
-  /// What redundant constraints may contradict one another by in second rates.
-  static constexpr double agreement = 1e-5;
-  /// The same in third rates.
-  static constexpr double some_digits = 1e-4;
+  /// What redundant constraints may contradict one another by.
+  static constexpr double agreement = support::agreement_of_second_rates<double>;
 
   const MovingConstraints& F_;
   GroupByGroup group_by_group_;
