@@ -54,6 +54,11 @@ void Vocabulary::rewrite(const GiNaC::symbol& symbol, const GiNaC::ex& definitio
   }
 }
 
+void Vocabulary::leave_out(const GiNaC::symbol& symbol) {
+  std::erase_if(quantities_,
+                [&](const NamedQuantity& quantity) { return quantity.symbol.is_equal(symbol); });
+}
+
 GiNaC::ex Vocabulary::name_reciprocal(const std::string& name, const GiNaC::ex& denominator,
                                       const std::string& degeneracy) {
   if (GiNaC::is_a<GiNaC::numeric>(denominator)) {

@@ -40,6 +40,8 @@ class Vocabulary {
   /// Writes a quantity that equals its definition in another way, if all names in that come before
   /// it. Other symbols are left alone.
   void rewrite(const GiNaC::symbol& symbol, const GiNaC::ex& definition);
+  /// Leaves out a quantity whose value is given.
+  void leave_out(const GiNaC::symbol& symbol);
 
   /// Names one over a denominator; `degeneracy` says what its vanishing means, and is empty if it
   /// cannot vanish or its root says so. The reciprocal of a number is returned as a number.

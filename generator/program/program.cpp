@@ -79,8 +79,29 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
     const bool plain = form == equations::NamedQuantity::Form::itself;
     definitions_[name] = {name, roots[index], form, plain ? "" : named[index].meaning};
   }
+  // What is given may make a name needless that its definition needs.
+  NodeTable<bool> read;
+  read.assign(uses.size(), false);
+  const std::function<void(NodeIndex)> mark = [&](NodeIndex node) {
+    if (read[node]) {
+      return;
+    }
+    read[node] = true;
+    const ExpressionGraph::Node& content = graph_.nodes()[node];
+    if (const auto definition = definitions_.find(names_[node]);
+        content.operation == Operation::symbol && definition != definitions_.end()) {
+      mark(definition->second.value.node);
+    }
+    std::ranges::for_each(content.factors, mark);
+    std::ranges::for_each(content.terms, [&](const ScaledNode& term) { mark(term.node); });
+  };
+  for (std::size_t index = 0; index < targets.size(); ++index) {
+    mark(roots[named.size() + index].node);
+  }
   for (const equations::NamedQuantity& quantity : named) {
-    schedule(graph_.add(polynomial(quantity.symbol, order)).node);
+    if (const NodeIndex node = graph_.add(polynomial(quantity.symbol, order)).node; read[node]) {
+      schedule(node);
+    }
   }
   for (std::size_t index = 0; index < targets.size(); ++index) {
     assignments_.push_back({targets[index], roots[named.size() + index]});

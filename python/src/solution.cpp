@@ -184,7 +184,9 @@ void bind_solution(py::module_& module) {
           },
           "States or None: the states with the rates of each motion, where several motions cross "
           "in\n"
-          "this configuration.")
+          "this configuration. They have no forces: what is determined there is among those of "
+          "the\n"
+          "configuration itself.")
       .def("svg", svg_of_one,
            "svg(self)\n--\n\n"
            "Returns a picture of this configuration, as the text of an SVG file; see Scene.svg.")

@@ -164,43 +164,67 @@ struct FourBar {
             {{{x_middle - far * y, y_middle + far * x}, {x_middle + far * y, y_middle - far * x}}}};
   }
 
+  /// The crank's end with its velocity and its acceleration.
+  struct CrankEnd {
+    Scalar x, y, vx, vy, ax, ay;
+  };
+  [[nodiscard]] CrankEnd crank_end(const Scalar& cos, const Scalar& sin, const Scalar& velocity,
+                                   const Scalar& acceleration) const {
+    const Scalar x = crank * cos;
+    const Scalar y = crank * sin;
+    const Scalar vx = -velocity * y;
+    const Scalar vy = velocity * x;
+    return {x, y, vx, vy, -acceleration * y - velocity * vy, acceleration * x + velocity * vx};
+  }
+
+  /// The coupler's vector from B to C and the rocker's from D to C, and how they turn.
+  struct Bars {
+    Scalar BC_x, BC_y, DC_x, DC_y, one_by_area;
+    Scalar w_BC, w_DC, a_BC, a_DC;
+  };
+  /// For a side (x, y) from B to D, and the parts of it to C.
+  [[nodiscard]] Bars bars(const CrankEnd& B, const Scalar& x, const Scalar& y, const Scalar& along,
+                          const Scalar& left) const {
+    Bars of;
+    of.BC_x = along * x - left * y;
+    of.BC_y = along * y + left * x;
+    of.DC_x = of.BC_x - x;
+    of.DC_y = of.BC_y - y;
+    of.one_by_area = Scalar(1) / (of.BC_x * of.DC_y - of.BC_y * of.DC_x);
+    of.w_BC = -(B.vx * of.DC_x + B.vy * of.DC_y) * of.one_by_area;
+    of.w_DC = -(B.vx * of.BC_x + B.vy * of.BC_y) * of.one_by_area;
+    const Scalar BC_DC = of.BC_x * of.DC_x + of.BC_y * of.DC_y;
+    of.a_BC = -(B.ax * of.DC_x + B.ay * of.DC_y - of.w_BC * of.w_BC * BC_DC +
+                of.w_DC * of.w_DC * rocker * rocker) *
+              of.one_by_area;
+    of.a_DC = -(B.ax * of.BC_x + B.ay * of.BC_y - of.w_BC * of.w_BC * coupler * coupler +
+                of.w_DC * of.w_DC * BC_DC) *
+              of.one_by_area;
+    return of;
+  }
+
   /// The coupler's point, its velocity and its acceleration, by those of the crank.
   [[nodiscard]] Listed<Scalar, 6> motion(const Scalar& angle, const Scalar& velocity,
                                          const Scalar& acceleration) const {
     using std::cos;
     using std::sin;
-    const Scalar x_B = crank * cos(angle);
-    const Scalar y_B = crank * sin(angle);
-    const Scalar vx_B = -velocity * y_B;
-    const Scalar vy_B = velocity * x_B;
-    const Scalar ax_B = -acceleration * y_B - velocity * vy_B;
-    const Scalar ay_B = acceleration * x_B + velocity * vx_B;
-    const Scalar x = ground - x_B;
-    const Scalar y = -y_B;
+    const CrankEnd B = crank_end(cos(angle), sin(angle), velocity, acceleration);
+    const Scalar x = ground - B.x;
+    const Scalar y = -B.y;
     const auto [reached, along, across] = corners<Scalar>(x, y, coupler, rocker);
     if (!reached) {
       return {};
     }
     const Scalar part = reach / coupler;
     const auto configuration = [&, along = along](const Scalar& left) -> std::array<Scalar, 6> {
-      // The coupler's vector from B to C, the rocker's from D to C.
-      const Scalar BC_x = along * x - left * y;
-      const Scalar BC_y = along * y + left * x;
-      const Scalar DC_x = BC_x - x;
-      const Scalar DC_y = BC_y - y;
-      const Scalar one_by_area = Scalar(1) / (BC_x * DC_y - BC_y * DC_x);
-      const Scalar w_BC = -(vx_B * DC_x + vy_B * DC_y) * one_by_area;
-      const Scalar w_DC = -(vx_B * BC_x + vy_B * BC_y) * one_by_area;
-      const Scalar w_square = w_BC * w_BC;
-      const Scalar along_DC = ax_B * DC_x + ay_B * DC_y - w_square * (BC_x * DC_x + BC_y * DC_y) +
-                              w_DC * w_DC * rocker * rocker;
-      const Scalar a_BC = -along_DC * one_by_area;
-      return {x_B + part * BC_x,
-              y_B + part * BC_y,
-              vx_B - part * w_BC * BC_y,
-              vy_B + part * w_BC * BC_x,
-              ax_B - part * (a_BC * BC_y + w_square * BC_x),
-              ay_B + part * (a_BC * BC_x - w_square * BC_y)};
+      const Bars of = bars(B, x, y, along, left);
+      const Scalar w_square = of.w_BC * of.w_BC;
+      return {B.x + part * of.BC_x,
+              B.y + part * of.BC_y,
+              B.vx - part * of.w_BC * of.BC_y,
+              B.vy + part * of.w_BC * of.BC_x,
+              B.ax - part * (of.a_BC * of.BC_y + w_square * of.BC_x),
+              B.ay + part * (of.a_BC * of.BC_x - w_square * of.BC_y)};
     };
     return {2, {configuration(across), configuration(-across)}};
   }

@@ -40,14 +40,9 @@ struct LoadedFourBar {
     using std::sin;
     const Scalar c = cos(angle);
     const Scalar s = sin(angle);
-    const Scalar x_B = lengths.crank * c;
-    const Scalar y_B = lengths.crank * s;
-    const Scalar vx_B = -velocity * y_B;
-    const Scalar vy_B = velocity * x_B;
-    const Scalar ax_B = -acceleration * y_B - velocity * vy_B;
-    const Scalar ay_B = acceleration * x_B + velocity * vx_B;
-    const Scalar x = lengths.ground - x_B;
-    const Scalar y = -y_B;
+    const typename FourBar<Scalar>::CrankEnd B = lengths.crank_end(c, s, velocity, acceleration);
+    const Scalar x = lengths.ground - B.x;
+    const Scalar y = -B.y;
     const auto [reached, along, across] = corners<Scalar>(x, y, lengths.coupler, lengths.rocker);
     if (!reached) {
       return {};
@@ -57,40 +52,29 @@ struct LoadedFourBar {
     const Scalar one_by_coupler = Scalar(1) / lengths.coupler;
     const Scalar one_by_rocker = Scalar(1) / lengths.rocker;
     const auto configuration = [&, along = along](const Scalar& left) -> std::array<Scalar, 14> {
-      const Scalar BC_x = along * x - left * y;
-      const Scalar BC_y = along * y + left * x;
-      const Scalar DC_x = BC_x - x;
-      const Scalar DC_y = BC_y - y;
-      const Scalar one_by_area = Scalar(1) / (BC_x * DC_y - BC_y * DC_x);
-      const Scalar w_BC = -(vx_B * DC_x + vy_B * DC_y) * one_by_area;
-      const Scalar w_DC = -(vx_B * BC_x + vy_B * BC_y) * one_by_area;
-      const Scalar BC_DC = BC_x * DC_x + BC_y * DC_y;
-      const Scalar a_BC = -(ax_B * DC_x + ay_B * DC_y - w_BC * w_BC * BC_DC +
-                            w_DC * w_DC * lengths.rocker * lengths.rocker) *
-                          one_by_area;
-      const Scalar a_DC = -(ax_B * BC_x + ay_B * BC_y -
-                            w_BC * w_BC * lengths.coupler * lengths.coupler + w_DC * w_DC * BC_DC) *
-                          one_by_area;
-      const Wrench on_coupler =
-          inertia(coupler, BC_x * one_by_coupler, BC_y * one_by_coupler, w_BC, a_BC, ax_B, ay_B);
-      Wrench on_rocker =
-          inertia(rocker, DC_x * one_by_rocker, DC_y * one_by_rocker, w_DC, a_DC, zero, zero);
+      const typename FourBar<Scalar>::Bars of = lengths.bars(B, x, y, along, left);
+      const Wrench on_coupler = inertia(coupler, of.BC_x * one_by_coupler, of.BC_y * one_by_coupler,
+                                        of.w_BC, of.a_BC, B.ax, B.ay);
+      Wrench on_rocker = inertia(rocker, of.DC_x * one_by_rocker, of.DC_y * one_by_rocker, of.w_DC,
+                                 of.a_DC, zero, zero);
       on_rocker.moment += work;
       // BC x f = moment about B, DC x f = -moment about D, f on the rocker at C.
-      const Scalar f_x = (on_coupler.moment * DC_x + on_rocker.moment * BC_x) * one_by_area;
-      const Scalar f_y = (on_coupler.moment * DC_y + on_rocker.moment * BC_y) * one_by_area;
-      const Scalar B_x = f_x - on_coupler.x;
-      const Scalar B_y = f_y - on_coupler.y;
-      const Scalar moment = on_crank.moment + on_coupler.moment + x_B * on_coupler.y -
-                            y_B * on_coupler.x + on_rocker.moment + lengths.ground * on_rocker.y;
-      return {x_B * B_y - y_B * B_x - on_crank.moment,
+      const Scalar f_x =
+          (on_coupler.moment * of.DC_x + on_rocker.moment * of.BC_x) * of.one_by_area;
+      const Scalar f_y =
+          (on_coupler.moment * of.DC_y + on_rocker.moment * of.BC_y) * of.one_by_area;
+      const Scalar at_B_x = f_x - on_coupler.x;
+      const Scalar at_B_y = f_y - on_coupler.y;
+      const Scalar moment = on_crank.moment + on_coupler.moment + B.x * on_coupler.y -
+                            B.y * on_coupler.x + on_rocker.moment + lengths.ground * on_rocker.y;
+      return {B.x * at_B_y - B.y * at_B_x - on_crank.moment,
               work,
               moment,
               work,
-              B_x - on_crank.x,
-              B_y - on_crank.y,
-              B_x,
-              B_y,
+              at_B_x - on_crank.x,
+              at_B_y - on_crank.y,
+              at_B_x,
+              at_B_y,
               f_x,
               f_y,
               -f_x - on_rocker.x,

@@ -198,7 +198,7 @@ ModelHeader header_of(const structure::Model& model, std::set<std::string> with)
     if (with.contains("forces")) {
       const ForceFunction forces =
           force_function(forces::group_forces(equations, derivatives, &*structured));
-      for (const auto& [symbol, entry] : forces.loads) {
+      for (const auto& [symbol, entry] : forces.given) {
         spelling.take_out(symbol, entry);
       }
       const program::SymbolOrder order = forces.order(equations, rigid.known);

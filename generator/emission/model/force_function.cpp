@@ -13,20 +13,45 @@ ForceFunction of_loads(const forces::GroupForces& forces, ModelFunction function
   ForceFunction result{{std::move(function), forces.vocabulary}, {}};
   std::size_t row = 0;
   for (const forces::LinkLoad& load : forces.loads) {
-    result.loads.emplace_back(load.x, entry("loads", row, 0));
-    result.loads.emplace_back(load.y, entry("loads", row, 1));
-    result.loads.emplace_back(load.moment, entry("loads", row, 2));
+    result.given.emplace_back(load.x, entry("loads", row, 0));
+    result.given.emplace_back(load.y, entry("loads", row, 1));
+    result.given.emplace_back(load.moment, entry("loads", row, 2));
     ++row;
   }
   // Names of the vocabulary stand for what they do, whichever function reads them.
   row = 0;
   for (const GiNaC::symbol& component : forces.given) {
-    result.loads.emplace_back(component, "lambda(" + std::to_string(row++) + ")");
+    result.given.emplace_back(component, "lambda(" + std::to_string(row++) + ")");
   }
   return result;
 }
 
 }  // namespace
+
+void ForceFunction::take_reciprocals(const std::vector<GiNaC::symbol>& reciprocals) {
+  if (reciprocals.empty()) {
+    return;
+  }
+  naming.function.doc.emplace_back("The rates have told the `reciprocals`.");
+  naming.function.inputs.push_back({"const Vector<Scalar, reciprocal_count>&", "reciprocals"});
+  std::size_t row = 0;
+  for (const GiNaC::symbol& reciprocal : reciprocals) {
+    naming.vocabulary.leave_out(reciprocal);
+    given.emplace_back(reciprocal, "reciprocals(" + std::to_string(row++) + ")");
+  }
+}
+
+void tell_reciprocals(const std::vector<GiNaC::symbol>& reciprocals, ModelFunction& function) {
+  if (reciprocals.empty()) {
+    return;
+  }
+  function.doc.emplace_back("The forces need the `reciprocals`.");
+  function.outputs.push_back({"Vector<Scalar, reciprocal_count>&", "reciprocals"});
+  std::size_t row = 0;
+  for (const GiNaC::symbol& reciprocal : reciprocals) {
+    function.results.push_back({"reciprocals(" + std::to_string(row++) + ")", reciprocal});
+  }
+}
 
 ForceFunction force_function(const forces::GroupForces& forces) {
   ForceFunction result = of_loads(
@@ -74,11 +99,11 @@ ForceFunction load_function(const forces::GroupForces& forces) {
 program::SymbolOrder ForceFunction::order(
     const equations::ClosureEquations& equations,
     const std::vector<equations::NamedQuantity>& known) const {
-  std::vector<GiNaC::symbol> given;
-  for (const auto& [symbol, entry] : loads) {
-    given.push_back(symbol);
+  std::vector<GiNaC::symbol> symbols;
+  for (const auto& [symbol, entry] : given) {
+    symbols.push_back(symbol);
   }
-  return program::symbol_order(equations, naming.vocabulary, known, given);
+  return program::symbol_order(equations, naming.vocabulary, known, symbols);
 }
 
 }  // namespace assur::generator::emission::model

@@ -10,17 +10,23 @@
 
 namespace assur::generator::emission::model {
 
-/// A function, and the symbols of loads and other forces that it is given, each with the entry of a
-/// parameter that it is.
+/// A function, and the symbols of loads, other forces and reciprocals that it is given, each with
+/// the entry of a parameter that it is.
 struct ForceFunction {
   NamingFunction naming;
-  std::vector<std::pair<GiNaC::symbol, std::string>> loads;
+  std::vector<std::pair<GiNaC::symbol, std::string>> given;
+
+  /// Lets the function take reciprocals that `tell_reciprocals` makes another one tell.
+  void take_reciprocals(const std::vector<GiNaC::symbol>& reciprocals);
 
   /// The order of all symbols that the function has.
   [[nodiscard]] program::SymbolOrder order(
       const equations::ClosureEquations& equations,
       const std::vector<equations::NamedQuantity>& known) const;
 };
+
+/// Lets a function of rates tell reciprocals that it divides by, too.
+void tell_reciprocals(const std::vector<GiNaC::symbol>& reciprocals, ModelFunction& function);
 
 /// The forces in all joints.
 [[nodiscard]] ForceFunction force_function(const forces::GroupForces& forces);

@@ -189,7 +189,7 @@ class SceneEmitter {
   void show_group(mechanism::GroupIndex group) {
     const structure::Model& model = symbolic_model(solver_.group(group));
     SpecialisedGroup special = specialised_group_of(solver_, group);
-    const PlacingStatements placing = placing_statements(solver_, group);
+    const PlacingStatements placing = placing_statements(solver_, group, special);
     slides_.insert(slides_.end(), placing.slides.begin(), placing.slides.end());
     const cpp::Block held = holding_statements(solver_, group);
     special.view.set("held", shown(held));

@@ -46,7 +46,7 @@ class EquilibriumStatements {
     call("solve",
          {tolerance.exists() ? body_.number(solver_.numbers.number(tolerance)) : cpp::number(0)});
     for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
-      if (pairs_[pair].driver.exists()) {
+      if (tells_effort(pair)) {
         body_.add(cpp::assigned(
             state("efforts").member(solver_.members.drivers[pairs_[pair].driver]),
             all_.member("effort").at({cpp::word(unknown(pair, pairs_[pair].driven))})));
@@ -57,8 +57,8 @@ class EquilibriumStatements {
     }
     const cpp::Block statements = body_.take_from(0);
     body_.add(cpp::declared("support::Equilibrium<" + std::to_string(moving_.size()) + ", " +
-                                std::to_string(unknowns_) + ", " + std::to_string(passed_) +
-                                ", Scalar>",
+                                std::to_string(unknowns_) + ", " + std::to_string(passed_) + ", " +
+                                std::to_string(springs_) + ", Scalar>",
                             all_));
     body_.add(statements);
     return behind_joints_read(solver_, body_);
@@ -68,21 +68,24 @@ class EquilibriumStatements {
   [[nodiscard]] static cpp::Expression state(const std::string& part) {
     return cpp::variable("state").member(part);
   }
+  [[nodiscard]] bool tells_effort(std::size_t pair) const {
+    return pairs_[pair].driver.exists() && !solver_.mechanism().holds_idle(pairs_[pair].driver);
+  }
   [[nodiscard]] LinkIndex link_of(FeatureIndex feature) const {
     return solver_.mechanism().features()[feature].link;
   }
   void call(const std::string& function, std::vector<cpp::Expression> arguments) {
     body_.add(cpp::called(all_.member(function).at(std::move(arguments))));
   }
-  /// The number of a feature's link among the moving links; -1 for the ground.
-  [[nodiscard]] cpp::Expression place_of(FeatureIndex feature) const {
-    const auto found = std::ranges::find(moving_, link_of(feature));
+  /// The number of a link among the moving ones; -1 for the ground.
+  [[nodiscard]] cpp::Expression place_of(LinkIndex link) const {
+    const auto found = std::ranges::find(moving_, link);
     return cpp::word(found == moving_.end() ? "-1" : std::to_string(found - moving_.begin()));
   }
   /// The links and the places of two features, as arguments.
   [[nodiscard]] std::vector<cpp::Expression> between(FeatureIndex first,
                                                      FeatureIndex second) const {
-    return {place_of(first), place_of(second), pose_of(solver_, first, body_),
+    return {place_of(link_of(first)), place_of(link_of(second)), pose_of(solver_, first, body_),
             pose_of(solver_, second, body_)};
   }
   /// The unknown by which a pair holds a coordinate.
@@ -95,7 +98,7 @@ class EquilibriumStatements {
   void add_loads() {
     LinkLoads loads(solver_, body_);
     const cpp::Block declarations = body_.take_from(0);
-    loads.add_all();
+    const std::vector<DirectedPull> pulls = loads.add_all_known();
     const cpp::Block added = body_.take_from(0);
     std::vector<cpp::Expression> links = {loads.on(solver_.linkage().ground)};
     std::vector<cpp::Statement> declared = {declarations[solver_.linkage().ground.place()]};
@@ -109,6 +112,10 @@ class EquilibriumStatements {
       call("load", {cpp::word(place), links[place + 1]});
     }
     add_ground_resultant(cpp::call("support::together", std::move(links)), body_);
+    for (const DirectedPull& pull : pulls) {
+      call("pull", {place_of(pull.first), place_of(pull.second), pull.at, pull.pull});
+    }
+    springs_ = pulls.size();
   }
 
   void hold(const HeldPair& pair) {
@@ -193,7 +200,7 @@ class EquilibriumStatements {
   FunctionBody body_;
   std::vector<LinkIndex> moving_;
   std::vector<std::size_t> first_;  ///< the first unknown of each pair
-  std::size_t unknowns_ = 0, passed_ = 0;
+  std::size_t unknowns_ = 0, passed_ = 0, springs_ = 0;
   cpp::Expression all_ = cpp::variable("all");
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <assur/mechanism/error.hpp>
+#include <assur/mechanism/forces.hpp>
 #include <assur/text/identifiers.hpp>
 #include <functional>
 #include <map>
@@ -155,9 +156,12 @@ class ForceStatements {
       reaction.force = cpp::call("support::part_across", {line, across.member("force")});
       reaction.couple_about = [across](const cpp::Expression&) { return across.member("moment"); };
     }
+    reactions_[link.joint] = reaction;
+    if (solver_.mechanism().holds_idle(link.driver)) {
+      return;
+    }
     body_.add(cpp::declared("const Scalar", effort, with_sense(sense, part)));
     body_.add(cpp::assigned(state("efforts").member(member), effort));
-    reactions_[link.joint] = reaction;
     pass_on(link.driver, effort);
   }
 
@@ -265,9 +269,7 @@ class ForceStatements {
 }  // namespace
 
 cpp::Block force_statements(const SolverScene& solver) {
-  return solver.plan.request().want.forces && solver.plan.redundant().empty()
-             ? ForceStatements(solver).run()
-             : cpp::Block{};
+  return solver.gives_forces_by_groups() ? ForceStatements(solver).run() : cpp::Block{};
 }
 
 void show_force_members(const SolverScene& solver, cpp::View& view) {
@@ -275,9 +277,10 @@ void show_force_members(const SolverScene& solver, cpp::View& view) {
   const auto& described = solver.mechanism();
   cpp::View::List efforts;
   cpp::View::List joints;
-  for (const mechanism::DriverIndex driver : described.drivers().keys()) {
+  const std::vector<mechanism::DriverIndex> drivers = mechanism::described_drivers(described);
+  for (const mechanism::DriverIndex driver : drivers) {
     cpp::View entry("member", solver.members.drivers[driver]);
-    entry.set("comma", efforts.size() + 1 < described.drivers().size() ? ", " : "");
+    entry.set("comma", efforts.size() + 1 < drivers.size() ? ", " : "");
     efforts.push_back(entry);
   }
   for (const ToldJoint& joint : wanted ? told_joints(solver) : std::vector<ToldJoint>{}) {

@@ -35,6 +35,12 @@ void LinkLoads::add_all() {
   add_loads_and_springs();
 }
 
+std::vector<DirectedPull> LinkLoads::add_all_known() {
+  leaves_out_unknown_ = true;
+  add_all();
+  return pulls_;
+}
+
 void LinkLoads::add_applied() {
   add_weights();
   add_loads_and_springs();
@@ -220,8 +226,15 @@ void LinkLoads::add_spring(const mechanism::Spring& spring) {
   body_.add(cpp::declared("const Vector<Scalar, 2>", pull,
                           cpp::call(is_directed ? directed_pull : cpp::Name("support::spring_pull"),
                                     std::move(given))));
-  add(link_of(spring.between[0]), "add_force", {ends[0], pull});
-  add(link_of(spring.between[1]), "add_force", {ends[1], opposite(pull)});
+  const LinkIndex first = link_of(spring.between[0]);
+  const LinkIndex second = link_of(spring.between[1]);
+  cpp::Expression known = pull;
+  if (is_directed) {
+    pulls_.push_back({pull, ends[0], first, second});
+    known = leaves_out_unknown_ ? cpp::call("support::known_pull", {pull}) : pull;
+  }
+  add(first, "add_force", {ends[0], known});
+  add(second, "add_force", {ends[1], opposite(known)});
 }
 
 void LinkLoads::add_joint_spring(const mechanism::Spring& spring) {

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "emission/scene/solver_scene.hpp"
 
@@ -14,6 +15,12 @@ namespace assur::generator::emission::scene {
   return cpp::call("support::opposite", {force});
 }
 
+/// The pull of a spring that has no direction where its ends coincide, as variables.
+struct DirectedPull {
+  cpp::Expression pull, at;            ///< on the first link
+  mechanism::LinkIndex first, second;  ///< the spring pulls the first toward the second
+};
+
 /// What acts on each link of a solver, as variables of one function.
 class LinkLoads {
  public:
@@ -22,6 +29,8 @@ class LinkLoads {
 
   /// Adds all that is there before the forces of joints are known.
   void add_all();
+  /// Adds the same without pulls that are not known, and returns all that may not be.
+  [[nodiscard]] std::vector<DirectedPull> add_all_known();
   /// Adds the same without inertia.
   void add_applied();
 
@@ -74,6 +83,8 @@ class LinkLoads {
   mechanism::Table<mechanism::LinkIndex, bool> bears_;
   std::map<mechanism::FeatureIndex, cpp::Expression> places_;
   std::map<mechanism::LinkIndex, cpp::Expression> centres_;
+  std::vector<DirectedPull> pulls_;
+  bool leaves_out_unknown_ = false;  ///< pulls that are not known
 };
 
 /// Whether statements find the force of a spring that has no direction where its ends coincide.

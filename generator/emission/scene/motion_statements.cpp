@@ -1,5 +1,6 @@
 #include "emission/scene/motion_statements.hpp"
 
+#include <algorithm>
 #include <assur/mechanism/forces.hpp>
 #include <assur/text/names.hpp>
 #include <map>
@@ -8,13 +9,13 @@
 #include "emission/scene/carried_links.hpp"
 #include "emission/scene/link_loads.hpp"
 #include "emission/scene/state_members.hpp"
+#include "emission/scene/told_joints.hpp"
 
 namespace assur::generator::emission::scene {
 
 namespace {
 
 using mechanism::DriverIndex;
-using mechanism::JointIndex;
 using mechanism::LinkIndex;
 using mechanism::OutputIndex;
 
@@ -106,20 +107,24 @@ class MotionStatements {
           rates_.point(feature.name, solver_.placed(feature.link), place.x, place.y)));
       tell("outputs", solver_.members.outputs[index], rated(point.member("rates"), 2));
     }
-    for (const JointIndex index : solver_.mechanism().joints().keys()) {
-      if (solver_.mechanism().joints()[index].between.size() == 2 && solver_.tells_force(index)) {
-        joints_.push_back(solver_.members.joints[index]);
-        tell("joints", joints_.back(), rated(joint_rates(index), 1));
+    const auto pairs = mechanism::held_pairs(solver_.mechanism(), solver_.plan.redundant());
+    for (const ToldJoint& joint : told_joints(solver_)) {
+      if (joint.pairs.size() == 1) {
+        joints_.push_back(joint.member);
+        const auto& between = pairs[joint.pairs.front()].between;
+        tell("joints", joint.member, rated(joint_rates({between.begin(), between.end()}), 1));
       }
     }
   }
-  [[nodiscard]] cpp::Expression joint_rates(JointIndex index) {
-    const mechanism::Joint& joint = solver_.mechanism().joints()[index];
-    if (joint.type != mechanism::JointType::revolute) {
-      return displacement(solver_, index, rates_).member("rates");
+  [[nodiscard]] cpp::Expression joint_rates(const std::vector<mechanism::FeatureIndex>& between) {
+    const auto is_line = [&](mechanism::FeatureIndex feature) {
+      return solver_.mechanism().features()[feature].is_line;
+    };
+    if (std::ranges::any_of(between, is_line)) {
+      return displacement(solver_, between, rates_).member("rates");
     }
     const auto frame_of = [&](std::size_t end) {
-      return nested_frames({solver_.placed(link_of(joint.between[end]))});
+      return nested_frames({solver_.placed(link_of(between[end]))});
     };
     return cpp::call("support::turning_rates", {frame_of(0), frame_of(1)});
   }

@@ -64,26 +64,20 @@ void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex gro
 }
 
 /// Adds a part of a function for a group. If laws that read joints change the shape of the group's
-/// links, the coordinates of these joints come before it, as far as it reads them. A law that is
-/// computed after the group is left out: it may read the group itself.
+/// links, or of those that hold it, the coordinates of these joints come before it, as far as it
+/// reads them. A law that is computed after the group is left out: it may read the group itself.
 template <typename Add>
 void add_part(const SolverScene& solver, mechanism::GroupIndex group, FunctionBody& body,
               const Add& add) {
   const std::size_t before = body.size();
   add();
   const cpp::Block own = body.take_from(before);
-  const std::set<std::string> read = body.variables_read(own);
+  std::set<std::string> read = body.variables_read(own);
   const mechanism::Structure& structure = solver.plan.structure();
-  const auto shapes_it = [&](mechanism::DriverIndex driver) {
-    return std::ranges::any_of(structure.carried, [&](const mechanism::CarriedLink& link) {
-      const std::vector<mechanism::LinkIndex>& links = structure.groups[group].links;
-      return link.driver == driver && std::ranges::find(links, link.to) != links.end();
-    });
-  };
   for (const mechanism::ReadingDriver& reading : structure.reading) {
-    if (reading.groups_before <= group.place() && shapes_it(reading.driver)) {
+    if (reading.groups_before <= group.place()) {
       add_joints_read(solver, reading.driver, body, [&](const std::string& name) {
-        return read.contains(name) && !cpp::declares(own, name);
+        return !cpp::declares(own, name) && read.erase(name) > 0;
       });
     }
   }
@@ -214,15 +208,20 @@ cpp::Block holding_statements(const SolverScene& solver, mechanism::GroupIndex g
   return body.block();
 }
 
-PlacingStatements placing_statements(const SolverScene& solver, mechanism::GroupIndex group) {
+PlacingStatements placing_statements(const SolverScene& solver, mechanism::GroupIndex group,
+                                     const SpecialisedGroup& special) {
   FunctionBody body = solver.body();
   std::vector<std::string> slides;
   const std::size_t placed = group.place() + 1;
   add_part(solver, group, body, [&] { add_group(solver, group, body, slides); });
   if (solver.keeps_groups()) {
     const cpp::Expression of_group = cpp::variable("group");
+    std::vector<cpp::Expression> kept = {of_group.member("q"), of_group.member("regularity")};
+    if (special.shares_reciprocals) {
+      kept.push_back(of_group.member("reciprocals"));
+    }
     body.add(cpp::assigned(cpp::variable("placed").member(solver.members.solved[group]),
-                           cpp::braces("", {of_group.member("q"), of_group.member("regularity")})));
+                           cpp::braces("", std::move(kept))));
   }
   for (const mechanism::CarriedLink& link : solver.plan.structure().carried) {
     if (link.groups_before == placed) {

@@ -20,6 +20,7 @@ struct PlacingStatements {
 [[nodiscard]] cpp::Block holding_statements(const SolverScene& solver, mechanism::GroupIndex group);
 /// Places the links and slides of a group in one of its configurations.
 [[nodiscard]] PlacingStatements placing_statements(const SolverScene& solver,
-                                                   mechanism::GroupIndex group);
+                                                   mechanism::GroupIndex group,
+                                                   const SpecialisedGroup& special);
 
 }  // namespace assur::generator::emission::scene

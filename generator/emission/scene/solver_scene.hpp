@@ -99,6 +99,10 @@ struct SolverScene {
   [[nodiscard]] bool keeps_groups() const {
     return plan.request().want.forces || wants_coordinates();
   }
+  /// Whether forces follow group by group. Redundant constraints share loads among all links.
+  [[nodiscard]] bool gives_forces_by_groups() const {
+    return plan.request().want.forces && plan.redundant().empty();
+  }
   /// The members for the links at a pin of several, in the order of the joint's `between`.
   [[nodiscard]] std::vector<std::string> pin_members(mechanism::JointIndex pin) const;
   /// Whether anything is wanted of links and slides, which have no sensitivities.

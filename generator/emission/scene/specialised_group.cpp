@@ -83,29 +83,42 @@ class GroupSpecialiser {
         add(function, equations_.vocabulary);
       }
     }
+    std::optional<forces::GroupForces> forces;
+    std::vector<GiNaC::symbol> reciprocals;
+    if (numbers_.forces) {
+      forces =
+          forces::group_forces(equations_, derivatives_, closed_ ? &closed_->structured : nullptr);
+      reciprocals = reciprocals_of_rates(model::force_function(*forces));
+    }
     for (const model::NamingFunction& entry : rigid.solutions) {
-      if (is_wanted(entry.function.name)) {
-        add(entry.function, entry.vocabulary);
+      model::ModelFunction function = entry.function;
+      if (is_of_rates(function.name)) {
+        model::tell_reciprocals(reciprocals, function);
+      }
+      if (is_wanted(function.name)) {
+        add(function, entry.vocabulary);
       }
     }
     for (const model::ModelFunction& function : rigid.positions) {
       add(function, closed_->elimination.vocabulary);
     }
-    if (numbers_.forces) {
-      const forces::GroupForces forces =
-          forces::group_forces(equations_, derivatives_, closed_ ? &closed_->structured : nullptr);
-      const auto add_forces = [&](const model::ForceFunction& function) {
-        for (const auto& [symbol, entry] : function.loads) {
+    if (forces) {
+      const auto add_forces = [&](model::ForceFunction function) {
+        function.take_reciprocals(reciprocals);
+        for (const auto& [symbol, entry] : function.given) {
           spelling.take_out(symbol, entry);
         }
         add_in_order(function.naming.function, function.naming.vocabulary,
                      function.order(equations_, rigid.known));
       };
       if (!closed_) {
-        add_forces(model::load_function(forces));
+        add_forces(model::load_function(*forces));
       }
-      add_forces(model::force_function(forces));
+      add_forces(model::force_function(*forces));
     }
+    result.shares_reciprocals = !reciprocals.empty();
+    result.view.set("shares_reciprocals", result.shares_reciprocals);
+    result.view.set("reciprocal_count", std::to_string(reciprocals.size()));
     result.view.set("functions", functions);
     result.view.set("operations", text::joined(operations, "; "));
     result.view.set("constants", constant_list(named));
@@ -287,11 +300,36 @@ class GroupSpecialiser {
            (function == "jacobian" && !(closed_ && closed_->elimination.is_closed())) ||
            (!closed_ && numbers_.order > 0 && function == "velocity_rhs") ||
            (!closed_ && numbers_.order > 1 && function == "acceleration_rhs") ||
-           (has_inverse && function == "inverse_jacobian") ||
-           (numbers_.order == 1 && function == "velocity") ||
-           (numbers_.order == 2 && function == "motion") ||
+           (has_inverse && function == "inverse_jacobian") || is_of_rates(function) ||
            (numbers_.order == 2 && has_rates && function == "link_accelerations") ||
            (has_rates && function == "link_velocities");
+  }
+
+  [[nodiscard]] bool is_of_rates(const std::string& function) const {
+    return (numbers_.order == 1 && function == "velocity") ||
+           (numbers_.order == 2 && function == "motion");
+  }
+
+  /// The reciprocals that the forces need, are no numbers here, and are found with the rates.
+  [[nodiscard]] std::vector<GiNaC::symbol> reciprocals_of_rates(
+      const model::ForceFunction& function) const {
+    std::vector<GiNaC::symbol> result;
+    if (!closed_ || numbers_.order == 0) {
+      return result;
+    }
+    program::SymbolOrder order = function.order(equations_, {});
+    const NamedResults special = specialised(function.naming.vocabulary.quantities(),
+                                             function.naming.function.results, order, values_);
+    const program::Program program(order, special.quantities, special.results);
+    for (const equations::NamedQuantity& quantity : closed_->structured.vocabulary().quantities()) {
+      const bool is_needed =
+          std::ranges::find(program.steps(), quantity.symbol.get_name(),
+                            &program::Program::Step::name) != program.steps().end();
+      if (quantity.form == equations::NamedQuantity::Form::reciprocal && is_needed) {
+        result.push_back(quantity.symbol);
+      }
+    }
+    return result;
   }
 
   /// A length is one number, an angle its cosine and sine.

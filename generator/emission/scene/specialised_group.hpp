@@ -53,8 +53,9 @@ struct SpecialisedGroup {
   std::size_t max_configurations;
   /// The numbers of a place on a branch: inputs, unknowns, J^-1 and the sign of det J.
   std::size_t branch_numbers;
-  int first_key;  ///< of the keys that order a group's configurations, the first that may
-                  ///< differ
+  int first_key;            ///< of the keys that order a group's configurations, the first that may
+                            ///< differ
+  bool shares_reciprocals;  ///< whether forces take reciprocals that are found with the rates
 };
 
 /// The group's links with frames, in the order of the solver: those of which everything is needed

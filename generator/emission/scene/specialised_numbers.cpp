@@ -238,7 +238,7 @@ SpecialisedNumbers specialised_numbers(const SolverScene& solver, mechanism::Gro
           longest.own > 0 ? longest.own / unit : 1, solver.derivative_order, dimension_moves,
           of_dimensions.values(), of_dimensions.gradient(), of_inputs.values(),
           of_inputs.gradient(), input_moves, frame_needs(solver, group), solver.holds_groups(group),
-          solver.plan.request().want.forces, emitted_eliminations(solver, group),
+          solver.gives_forces_by_groups(), emitted_eliminations(solver, group),
           static_cast<std::size_t>(solver.group(group).model->max_configurations),
           solver.group(group).model->slide_angles};
 }

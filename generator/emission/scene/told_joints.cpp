@@ -6,37 +6,18 @@
 
 namespace assur::generator::emission::scene {
 
-namespace {
-
-/// The name of the joint to which each held pair belongs.
-std::vector<std::string> names_of_pairs(const SolverScene& solver) {
-  std::vector<std::string> names;
-  for (const mechanism::Joint& joint : solver.mechanism().joints()) {
-    if (!mechanism::is_stand_in(joint, solver.plan.redundant())) {
-      names.insert(names.end(), joint.between.size() - 1, joint.name);
-    }
-  }
-  for (const mechanism::RedundantJoint& joint : solver.plan.redundant()) {
-    names.push_back(joint.name);
-  }
-  return names;
-}
-
-}  // namespace
-
 std::vector<ToldJoint> told_joints(const SolverScene& solver) {
   const mechanism::Mechanism& described = solver.mechanism();
   const auto held = mechanism::held_pairs(described, solver.plan.redundant());
-  const std::vector<std::string> names = names_of_pairs(solver);
   std::vector<ToldJoint> told;
   for (std::size_t pair = 0; pair < held.size(); ++pair) {
-    const mechanism::JointIndex joint = text::index_of(described.joints(), names[pair]);
+    const mechanism::JointIndex joint = text::index_of(described.joints(), held[pair].joint);
     if (joint.exists() && !solver.plan.request().reported.has(joint)) {
       continue;
     }
-    auto at = std::ranges::find(told, names[pair], &ToldJoint::name);
+    auto at = std::ranges::find(told, held[pair].joint, &ToldJoint::name);
     if (at == told.end()) {
-      at = told.insert(told.end(), {names[pair], "", {}, {}, false, {}});
+      at = told.insert(told.end(), {held[pair].joint, "", {}, {}, false, {}});
     }
     at->pairs.push_back(pair);
     const auto add = [&](mechanism::FeatureIndex feature) {
@@ -45,11 +26,7 @@ std::vector<ToldJoint> told_joints(const SolverScene& solver) {
         at->links.push_back(link);
       }
     };
-    if (joint.exists()) {
-      std::ranges::for_each(described.joints()[joint].between, add);
-    }
-    add(held[pair].first);
-    add(held[pair].second);
+    std::ranges::for_each(held[pair].between, add);
     at->has_moment = at->has_moment || (described.features()[held[pair].first].is_line &&
                                         described.features()[held[pair].second].is_line);
   }

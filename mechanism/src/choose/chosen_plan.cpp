@@ -88,7 +88,7 @@ class Chooser {
       throw MechanismError(*flaw_);
     }
     if (!has_groups_ && described_->excess.lack == 0) {
-      throw plan::refusal_without_groups(described_->excess);
+      throw plan::refusal_without_groups(described_->mechanism, described_->excess);
     }
     throw OverConstrained(refusal_);
   }

@@ -88,6 +88,12 @@ void Mechanism::hold_idle_links(const std::function<Formula(LinkIndex)>& angle_o
   }
 }
 
+bool Mechanism::holds_idle(DriverIndex driver) const {
+  return std::ranges::any_of(joints_[drivers_[driver].joint].between, [&](FeatureIndex feature) {
+    return links_[features_[feature].link].is_idle;
+  });
+}
+
 void Mechanism::hold(JointIndex joint, const std::function<Formula(LinkIndex)>& angle_of) {
   const std::vector<FeatureIndex>& between = joints_[joint].between;
   const auto angle = [&](std::size_t place) { return angle_of(features_[between[place]].link); };

@@ -61,8 +61,8 @@ namespace {
 /// The joint of each driver.
 std::vector<std::string> driven_joints(const Mechanism& mechanism) {
   std::vector<std::string> names;
-  for (const Driver& driver : mechanism.drivers()) {
-    names.push_back(mechanism.joints()[driver.joint].name);
+  for (const DriverIndex driver : described_drivers(mechanism)) {
+    names.push_back(mechanism.joints()[mechanism.drivers()[driver].joint].name);
   }
   return names;
 }
@@ -117,7 +117,10 @@ std::vector<double> FilmDetails::forces_in(const Values& values,
                                            const Configuration& configuration) {
   const Mechanism& mechanism = plan_.mechanism();
   const Forces forces = forces_of(values, configuration);
-  std::vector<double> numbers(forces.efforts.begin(), forces.efforts.end());
+  std::vector<double> numbers;
+  for (const DriverIndex driver : described_drivers(mechanism)) {
+    numbers.push_back(forces.efforts[driver]);
+  }
   forces_.clear();
   for (const JointForce& force : forces.joints) {
     const JointIndex joint = index_of(mechanism.joints(), force.joint);

@@ -19,9 +19,9 @@ Balance::Balance(const Values& values, const Configuration& configuration)
     : values_(values),
       mechanism_(values.plan().mechanism),
       links_(values, configuration),
+      pairs_(held_pairs(mechanism_, values.plan().redundant)),
       pivots_(mechanism_.links().size(), Vector2d::Zero()),
       row_of_(mechanism_.links().size(), -1) {
-  list_pairs();
   find_pivots();
   rows_ = 0;
   for (const LinkIndex link : mechanism_.links().keys()) {
@@ -67,17 +67,16 @@ Equilibrium Balance::equilibrium(const MovingLinks& links, bool with_laws) const
   return result;
 }
 
-void Balance::list_pairs() {
-  const std::vector<RedundantJoint>& redundant = values_.plan().redundant;
-  pairs_ = held_pairs(mechanism_, redundant);
-  for (const Joint& joint : mechanism_.joints()) {
-    if (!is_stand_in(joint, redundant)) {
-      names_.insert(names_.end(), joint.between.size() - 1, joint.name);
-    }
+Eigen::MatrixXd Balance::matrix_with(const std::vector<Reaction>& further) const {
+  Equilibrium all;
+  all.matrix.setZero(rows_, here_.matrix.cols() + std::ssize(further));
+  all.derivative = all.matrix;
+  all.matrix.leftCols(here_.matrix.cols()) = here_.matrix;
+  for (std::size_t place = 0; place < further.size(); ++place) {
+    add(further[place], MovingNumber(1), here_.matrix.cols() + static_cast<Eigen::Index>(place),
+        all);
   }
-  for (const RedundantJoint& joint : redundant) {
-    names_.push_back(joint.name);
-  }
+  return all.matrix;
 }
 
 /// The first of a link's features that a joint holds is its pivot. The size is the longest distance

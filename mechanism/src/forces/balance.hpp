@@ -41,11 +41,11 @@ class Balance {
   Balance(const Values& values, const Configuration& configuration);
 
   [[nodiscard]] const Eigen::MatrixXd& matrix() const { return here_.matrix; }
+  /// The same with columns for further reactions behind the others.
+  [[nodiscard]] Eigen::MatrixXd matrix_with(const std::vector<Reaction>& further) const;
   /// The unit of each unknown.
   [[nodiscard]] const std::vector<Reaction>& units() const { return here_.units; }
   [[nodiscard]] const std::vector<HeldPair>& pairs() const { return pairs_; }
-  /// The name of the joint to which a pair belongs.
-  [[nodiscard]] const std::string& joint_of(std::size_t pair) const { return names_[pair]; }
   [[nodiscard]] const std::vector<HeldCoordinate>& held() const { return held_; }
   [[nodiscard]] const MovingLinks& links() const { return links_; }
   [[nodiscard]] const JointCoordinates& coordinates() const { return links_.coordinates(); }
@@ -66,7 +66,6 @@ class Balance {
   [[nodiscard]] std::string reason() const;
 
  private:
-  void list_pairs();
   void find_pivots();
   /// Adds a reaction, times a factor, to a column of an equilibrium.
   void add(const Reaction& reaction, const MovingNumber& factor, Eigen::Index column,
@@ -76,7 +75,6 @@ class Balance {
   const Mechanism& mechanism_;
   MovingLinks links_;
   std::vector<HeldPair> pairs_;
-  std::vector<std::string> names_;
   std::vector<HeldCoordinate> held_;
   Table<LinkIndex, Eigen::Vector2d> pivots_;
   Table<LinkIndex, Eigen::Index> row_of_;

@@ -110,13 +110,10 @@ class CoefficientFinder {
 
   void add_joints(KinematicCoefficients& result) const {
     const Eigen::Index count = std::ssize(result.drivers);
-    result.joints.resize(mechanism_.joints().size());
-    for (const JointIndex index : mechanism_.joints().keys()) {
-      if (mechanism_.joints()[index].between.size() != 2) {
-        continue;
-      }
-      const CoordinatePair pair = balance_.coordinates().pair_of(index);
-      Derivatives<1>& joint = result.joints[index];
+    for (const HeldPair& held : pairs_of_two_links(mechanism_, values_.plan().redundant)) {
+      const CoordinatePair pair = balance_.coordinates().pair_of(held.between);
+      Derivatives<1>& joint =
+          result.joints.emplace_back(JointCoefficients{held.joint, {}}).coordinate;
       joint.set_zero(count, true);
       for (Eigen::Index i = 0; i < count; ++i) {
         joint.first(0, i) = relative(pair, along(result, i)).velocity(pair.coordinate);
@@ -246,9 +243,19 @@ KinematicCoefficients first_coefficients(const Values& values, const Configurati
 
 namespace assur::mechanism {
 
-std::vector<DriverIndex> free_drivers(const Mechanism& mechanism) {
+std::vector<DriverIndex> described_drivers(const Mechanism& mechanism) {
   std::vector<DriverIndex> drivers;
   for (const DriverIndex driver : mechanism.drivers().keys()) {
+    if (!mechanism.holds_idle(driver)) {
+      drivers.push_back(driver);
+    }
+  }
+  return drivers;
+}
+
+std::vector<DriverIndex> free_drivers(const Mechanism& mechanism) {
+  std::vector<DriverIndex> drivers;
+  for (const DriverIndex driver : described_drivers(mechanism)) {
     if (mechanism.numbers()[mechanism.drivers()[driver].position].formula.joints().empty()) {
       drivers.push_back(driver);
     }

@@ -1,5 +1,6 @@
 #include <assur/mechanism/forces.hpp>
 #include <assur/support/rigid_motion.hpp>
+#include <limits>
 
 #include "balance.hpp"
 #include "coefficients.hpp"
@@ -58,8 +59,13 @@ Dynamics dynamics_of(const Values& values, const Configuration& configuration) {
                         load.moment * frame(2);
     }
   }
-  if (!result.mass_matrix.allFinite() || !result.bias.allFinite() || !result.load.allFinite()) {
-    result.reason = balance.reason();
+  if (!loads.unknown_pulls.empty()) {
+    result.load.setConstant(std::numeric_limits<double>::quiet_NaN());
+    result.reason = loads.reason;
+  }
+  if (!result.mass_matrix.allFinite() || !result.bias.allFinite() ||
+      (loads.unknown_pulls.empty() && !result.load.allFinite())) {
+    result.reason += (result.reason.empty() ? "" : "; ") + balance.reason();
   }
   return result;
 }

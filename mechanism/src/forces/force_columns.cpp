@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <assur/mechanism/force_columns.hpp>
+#include <assur/mechanism/held_pairs.hpp>
 
 namespace assur::mechanism::forces {
 
@@ -31,13 +32,9 @@ std::vector<LinkIndex> links_at(const Plan& plan, const std::string& name) {
       links.push_back(link);
     }
   };
-  if (const JointIndex joint = index_of(plan.mechanism().joints(), name); joint.exists()) {
-    std::ranges::for_each(plan.mechanism().joints()[joint].between, add);
-  }
-  for (const RedundantJoint& joint : plan.redundant()) {
-    if (joint.name == name) {
-      add(joint.one);
-      add(joint.other);
+  for (const HeldPair& pair : held_pairs(plan.mechanism(), plan.redundant())) {
+    if (pair.joint == name) {
+      std::ranges::for_each(pair.between, add);
     }
   }
   return links;
@@ -45,14 +42,13 @@ std::vector<LinkIndex> links_at(const Plan& plan, const std::string& name) {
 
 /// Whether a joint transmits a couple.
 bool has_moment(const Plan& plan, const std::string& name) {
-  const JointIndex joint = index_of(plan.mechanism().joints(), name);
+  const std::vector<HeldPair> pairs = held_pairs(plan.mechanism(), plan.redundant());
   const auto is_line = [&](FeatureIndex feature) {
     return plan.mechanism().features()[feature].is_line;
   };
-  return (joint.exists() && plan.mechanism().joints()[joint].type == JointType::prismatic) ||
-         std::ranges::any_of(plan.redundant(), [&](const RedundantJoint& one) {
-           return one.name == name && is_line(one.one) && is_line(one.other);
-         });
+  return std::ranges::any_of(pairs, [&](const HeldPair& pair) {
+    return pair.joint == name && std::ranges::all_of(pair.between, is_line);
+  });
 }
 
 }  // namespace
@@ -67,8 +63,8 @@ std::vector<ForceColumn> force_columns(const Plan& plan) {
     return columns;
   }
   const Mechanism& mechanism = plan.mechanism();
-  for (const Driver& driver : mechanism.drivers()) {
-    const Joint& joint = mechanism.joints()[driver.joint];
+  for (const DriverIndex driver : described_drivers(mechanism)) {
+    const Joint& joint = mechanism.joints()[mechanism.drivers()[driver].joint];
     columns.push_back({joint.name, "effort", joint.type == JointType::revolute});
   }
   for (const std::string& joint : forces::told_joints(plan)) {
@@ -90,7 +86,10 @@ std::vector<ForceColumn> force_columns(const Plan& plan) {
 }
 
 std::vector<double> force_numbers(const Plan& plan, const Forces& forces) {
-  std::vector<double> numbers(forces.efforts.begin(), forces.efforts.end());
+  std::vector<double> numbers;
+  for (const DriverIndex driver : described_drivers(plan.mechanism())) {
+    numbers.push_back(forces.efforts[driver]);
+  }
   const auto add = [&](const Eigen::Vector2d& vector) {
     numbers.insert(numbers.end(), {vector.x(), vector.y()});
   };

@@ -30,7 +30,7 @@ ForceReader::ForceReader(const Mechanism& mechanism, const Balance& balance)
 }
 
 JointForce& ForceReader::joint_of(std::size_t pair) {
-  const std::string& name = balance_.joint_of(pair);
+  const std::string& name = balance_.pairs()[pair].joint;
   const auto found = std::ranges::find(result_.joints, name, &JointForce::joint);
   if (found != result_.joints.end()) {
     return *found;
@@ -43,16 +43,11 @@ JointForce& ForceReader::joint_of(std::size_t pair) {
 void ForceReader::begin(std::size_t index) {
   const HeldPair& pair = balance_.pairs()[index];
   JointForce& joint = joint_of(index);
-  const JointIndex described = index_of(mechanism_.joints(), joint.joint);
-  if (described.exists()) {
-    for (const FeatureIndex feature : mechanism_.joints()[described].between) {
-      (void)force_on(joint, mechanism_.features()[feature].link);
-    }
+  for (const FeatureIndex feature : pair.between) {
+    (void)force_on(joint, mechanism_.features()[feature].link);
   }
   const Feature& first = mechanism_.features()[pair.first];
   const Feature& second = mechanism_.features()[pair.second];
-  (void)force_on(joint, first.link);
-  (void)force_on(joint, second.link);
   joint.has_moment = joint.has_moment || (first.is_line && second.is_line);
 }
 

@@ -12,22 +12,31 @@ bool JointForce::is_determined() const {
          std::isfinite(moment);
 }
 
+/// Pulls that are not known are unknowns behind those of joints.
 Forces forces_of(const Values& values, const Configuration& configuration) {
+  using forces::LinearEquations;
   const forces::Balance balance(values, configuration);
   const forces::LinkLoads loads = forces::link_loads(values, configuration, balance);
   const Eigen::VectorXd load = balance.rows_of(loads.applied) + balance.rows_of(loads.inertia);
-  const Eigen::VectorXd unknowns = forces::LinearEquations(balance.matrix(), balance.threshold(),
-                                                           forces::LinearEquations::OfLinks::rows)
-                                       .solve(-load);
+  const auto solved = [&](const std::vector<forces::Reaction>& pulls) -> Eigen::VectorXd {
+    const LinearEquations equations(balance.matrix_with(pulls), balance.threshold(),
+                                    LinearEquations::OfLinks::rows);
+    return equations.solve(-load).topRows(balance.matrix().cols());
+  };
+  const Eigen::VectorXd unknowns = solved(loads.unknown_pulls);
   forces::ForceReader reader(values.plan().mechanism, balance);
   reader.add_couples(unknowns);
   reader.add_forces(unknowns, forces::directions_of(balance.units()));
   Forces result = reader.take();
   result.ground = forces::ground_resultant(values.plan().mechanism, balance, loads);
-  const bool is_determined =
-      std::ranges::all_of(result.efforts, [](double effort) { return std::isfinite(effort); }) &&
-      std::ranges::all_of(result.joints, &JointForce::is_determined);
-  result.reason = is_determined ? "" : balance.reason();
+  const bool is_ground_known =
+      result.ground.force.allFinite() && std::isfinite(result.ground.moment);
+  if (!unknowns.allFinite() || !is_ground_known) {
+    result.reason = loads.reason;
+    if (loads.unknown_pulls.empty() || !is_ground_known || !solved({}).allFinite()) {
+      result.reason += (result.reason.empty() ? "" : "; ") + balance.reason();
+    }
+  }
   return result;
 }
 

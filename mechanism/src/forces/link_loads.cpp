@@ -88,24 +88,43 @@ class LoadCollector {
     const MovingNumber damping = links_.size(spring.damping);
     const MovingNumber rest = links_.size(spring.rest);
     // Where the ends coincide to within the rounding of places, the spring has no direction; with
-    // the length 0 it needs none.
+    // the length 0, and at rest, it needs none.
     constexpr double rounding_of_places = 1e-13;
+    const bool has_direction = apart.value().norm() > rounding_of_places * balance_.size();
+    const bool is_stretched = stiffness.matters() && rest.matters();
+    const bool is_damped =
+        damping.matters() && (has_direction || apart.x.rate() != 0 || apart.y.rate() != 0);
+    const LinkIndex on = mechanism_.features()[spring.between[0]].link;
+    const LinkIndex from = mechanism_.features()[spring.between[1]].link;
     MovingPlace pull = stiffness * apart;
-    if ((stiffness.matters() && rest.matters()) || damping.matters()) {
-      const MovingNumber square = apart.x * apart.x + apart.y * apart.y;
-      const bool has_direction = apart.value().norm() > rounding_of_places * balance_.size();
-      const MovingNumber length = sqrt(has_direction ? square : MovingNumber());
+    if (is_stretched || is_damped) {
+      const MovingNumber length = sqrt(apart.x * apart.x + apart.y * apart.y);
       const MovingPlace along{apart.x / length, apart.y / length};
       pull = pull - stiffness * rest * along;
-      if (damping.matters()) {
+      if (is_damped) {
         pull = pull + damping * length.its_rate() * along;
       }
+      if (!has_direction || !pull.value().allFinite()) {
+        add_unknown_pull(
+            {on, from, one, {}, {}},
+            has_direction ? "the rates of the ends of the spring " + spring.name + " are not known"
+                          : "the ends of the spring " + spring.name +
+                                " coincide, so that its force has no direction");
+        return;
+      }
     }
-    const auto link_of = [&](std::size_t end) {
-      return mechanism_.features()[spring.between[end]].link;
-    };
-    add(&LinkLoads::applied, link_of(0), one, pull, {});
-    add(&LinkLoads::applied, link_of(1), other, MovingNumber(-1) * pull, {});
+    add(&LinkLoads::applied, on, one, pull, {});
+    add(&LinkLoads::applied, from, other, MovingNumber(-1) * pull, {});
+  }
+
+  void add_unknown_pull(Reaction unit, const std::string& reason) {
+    for (LinkLoads* loads : {&result_.values, &result_.derivatives}) {
+      for (const int axis : {0, 1}) {
+        unit.force = {MovingNumber(axis == 0 ? 1 : 0), MovingNumber(axis == 1 ? 1 : 0)};
+        loads->unknown_pulls.push_back(unit);
+      }
+      loads->reason += (loads->reason.empty() ? "" : "; ") + reason;
+    }
   }
 
   void add_joint_spring(const Spring& spring) {

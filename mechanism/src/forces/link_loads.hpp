@@ -12,6 +12,9 @@ namespace assur::mechanism::forces {
 struct LinkLoads {
   Table<LinkIndex, Wrench> applied;  ///< of gravity, loads, springs and dampers
   Table<LinkIndex, Wrench> inertia;  ///< -m a and -I alpha, at the centre of mass
+  /// Units of the pulls that are not known, which `applied` lacks: two of each spring.
+  std::vector<Reaction> unknown_pulls;
+  std::string reason;  ///< why they are not known
 };
 
 /// The same wrenches, and their derivatives by the parameter that the links follow.
@@ -30,7 +33,7 @@ struct MassCentre {
 [[nodiscard]] std::vector<MassCentre> mass_centres(const Values& values,
                                                    const Configuration& configuration);
 
-/// A load or spring that has no direction, or whose numbers are not known, is NaN.
+/// A damper at a joint whose rate is not known is NaN.
 [[nodiscard]] MovingLoads moving_loads(const Mechanism& mechanism, const MovingLinks& links,
                                        const Balance& balance);
 [[nodiscard]] LinkLoads link_loads(const Values& values, const Configuration& configuration,

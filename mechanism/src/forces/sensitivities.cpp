@@ -123,15 +123,29 @@ class Following {
   int readers_ = 0;  ///< drivers whose laws read joints
 };
 
-/// The derivatives of all numbers, where no configuration nearby is known.
-Forces unknown_derivatives(const Mechanism& mechanism, const Balance& balance) {
+/// The derivatives of all numbers but those of the ground's resultant, where none is known.
+Forces unknown_derivatives(const Mechanism& mechanism, const Balance& balance,
+                           const Wrench& ground) {
   const VectorXd unknown = VectorXd::Constant(std::ssize(balance.held()), none);
   ForceReader reader(mechanism, balance);
   reader.add_couples(unknown);
   reader.add_forces(unknown, directions_of(balance.units()));
   Forces result = reader.take();
-  result.ground = {Eigen::Vector2d::Constant(none), none};
+  result.ground = ground;
   return result;
+}
+
+/// The rows of loads, NaN for the links on which pulls act that are not known.
+VectorXd known_rows(const Balance& balance, const LinkLoads& loads) {
+  VectorXd rows = balance.rows_of(loads.applied) + balance.rows_of(loads.inertia);
+  for (const Reaction& pull : loads.unknown_pulls) {
+    for (const LinkIndex link : {pull.on, pull.from}) {
+      if (const Eigen::Index row = balance.row_of(link); row >= 0) {
+        rows.segment<3>(row).setConstant(none);
+      }
+    }
+  }
+  return rows;
 }
 
 std::vector<double*> numbers_of(Forces& forces) {
@@ -185,8 +199,10 @@ std::vector<Forces> force_sensitivities(const Values& values, const Configuratio
   const Mechanism& mechanism = values.plan().mechanism;
   const forces::Balance balance(values, configuration);
   if (!configuration.derivatives_known || !configuration.rates_known) {
-    return std::vector<Forces>(mechanism.parameters().size(),
-                               forces::unknown_derivatives(mechanism, balance));
+    return std::vector<Forces>(
+        mechanism.parameters().size(),
+        forces::unknown_derivatives(mechanism, balance,
+                                    {Eigen::Vector2d::Constant(forces::none), forces::none}));
   }
   const forces::LinearEquations equations(balance.matrix(), balance.threshold(),
                                           forces::LinearEquations::OfLinks::rows);
@@ -200,15 +216,19 @@ std::vector<Forces> force_sensitivities(const Values& values, const Configuratio
     const forces::MovingLinks links = following.along(parameter);
     const forces::Equilibrium equilibrium = balance.equilibrium(links, true);
     const forces::LinkLoads change = forces::moving_loads(mechanism, links, balance).derivatives;
+    const Wrench ground = forces::ground_resultant(mechanism, balance, change);
+    if (!loads.unknown_pulls.empty()) {
+      result.push_back(forces::unknown_derivatives(mechanism, balance, ground));
+      continue;
+    }
     const Eigen::VectorXd rates =
-        equations.solve(-(balance.rows_of(change.applied) + balance.rows_of(change.inertia) +
-                          equilibrium.derivative * carried));
+        equations.solve(-(forces::known_rows(balance, change) + equilibrium.derivative * carried));
     forces::ForceReader reader(mechanism, balance);
     reader.add_couples(rates);
     reader.add_forces(rates, forces::directions_of(equilibrium.units));
     reader.add_forces(unknowns, forces::turning_of(equilibrium.units));
     result.push_back(reader.take());
-    result.back().ground = forces::ground_resultant(mechanism, balance, change);
+    result.back().ground = ground;
   }
   return result;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <assur/mechanism/held_pairs.hpp>
+#include <iterator>
 #include <utility>
 
 namespace assur::mechanism::plan {
@@ -9,7 +10,9 @@ namespace {
 void add_held_by(const Mechanism& mechanism, const Joint& joint, DriverIndex driver,
                  std::vector<HeldPair>& pairs) {
   for (std::size_t other = 1; other < joint.between.size(); ++other) {
-    HeldPair pair{joint.between[0], joint.between[other], {true, true, driver.exists()}, driver, 2};
+    const std::array<FeatureIndex, 2> between = {joint.between[0], joint.between[other]};
+    HeldPair pair{between[0], between[1], {true, true, driver.exists()}, driver, 2,
+                  between,    joint.name};
     if (joint.type != JointType::revolute) {
       pair.holds = {driver.exists(), true, joint.type == JointType::prismatic};
       pair.driven = 0;
@@ -34,9 +37,19 @@ bool is_stand_in(const Joint& joint, const std::vector<RedundantJoint>& redundan
 }
 
 HeldPair held_by(const Mechanism& mechanism, const RedundantJoint& joint) {
-  const bool is_line = mechanism.features()[joint.one].is_line;
-  const bool are_lines = is_line && mechanism.features()[joint.other].is_line;
-  return {joint.one, joint.other, {!is_line, true, are_lines}};
+  std::array<FeatureIndex, 2> between = {joint.one, joint.other};
+  if (joint.is_turned) {
+    std::swap(between[0], between[1]);
+  }
+  const auto is_line = [&](FeatureIndex feature) { return mechanism.features()[feature].is_line; };
+  const bool has_line = is_line(joint.one);
+  const bool are_lines = has_line && is_line(joint.other);
+  HeldPair pair{between[0], between[1], {!has_line, true, are_lines}, {}, 0, between, joint.name};
+  if (has_line && !are_lines) {
+    pair.first = joint.one;
+    pair.second = joint.other;
+  }
+  return pair;
 }
 
 std::vector<HeldPair> held_pairs(const Mechanism& mechanism,
@@ -52,6 +65,16 @@ std::vector<HeldPair> held_pairs(const Mechanism& mechanism,
     pairs.push_back(held_by(mechanism, joint));
   }
   return pairs;
+}
+
+std::vector<HeldPair> pairs_of_two_links(const Mechanism& mechanism,
+                                         const std::vector<RedundantJoint>& redundant) {
+  const std::vector<HeldPair> all = held_pairs(mechanism, redundant);
+  std::vector<HeldPair> result;
+  std::ranges::copy_if(all, std::back_inserter(result), [&](const HeldPair& pair) {
+    return std::ranges::count(all, pair.joint, &HeldPair::joint) == 1;
+  });
+  return result;
 }
 
 }  // namespace assur::mechanism

@@ -65,7 +65,7 @@ class Balancer {
     surplus_ = fault.surplus;
     for (const JointIndex joint : mechanism_.joints().keys()) {
       const Joint& at = mechanism_.joints()[joint];
-      if (is_stand_in(at) || mechanism_.driver_of(joint).exists() || is_read(joint) ||
+      if (is_stand_in(at) || mechanism_.driver_of(joint).exists() || is_read(mechanism_, joint) ||
           at.lowest.exists() || std::ranges::find(fault.joints, at.name) == fault.joints.end()) {
         continue;
       }
@@ -84,19 +84,6 @@ class Balancer {
   [[nodiscard]] bool is_stand_in(const Joint& joint) const {
     return std::ranges::any_of(joint.between,
                                [&](FeatureIndex feature) { return feature.place() >= described_; });
-  }
-  /// Whether the law of a driver, or a load, reads where the joint is: one that is left out has no
-  /// coordinate.
-  [[nodiscard]] bool is_read(JointIndex joint) const {
-    const auto reads = [&](NumberIndex number) {
-      return number.exists() &&
-             std::ranges::count(mechanism_.numbers()[number].formula.joints(), joint) > 0;
-    };
-    return std::ranges::any_of(mechanism_.drivers(),
-                               [&](const Driver& driver) { return reads(driver.position); }) ||
-           std::ranges::any_of(mechanism_.loading().loads, [&](const Load& load) {
-             return reads(load.force_x) || reads(load.force_y) || reads(load.moment);
-           });
   }
   [[nodiscard]] const std::string& link_name(FeatureIndex feature) const {
     return mechanism_.links()[mechanism_.features()[feature].link].name;
@@ -117,7 +104,7 @@ class Balancer {
   void relax(JointIndex joint, FeatureIndex feature) {
     const Joint& at = mechanism_.joints()[joint];
     const FeatureIndex other = at.between[0] == feature ? at.between[1] : at.between[0];
-    const RedundantJoint whole{at.name, other, feature};
+    const RedundantJoint whole{at.name, other, feature, {}, {}, at.between[0] == feature};
     if (at.type == JointType::pin_in_slot) {
       if (!mechanism_.features()[feature].is_line) {  // its one constraint is left out once
         consider({whole}, 1);
@@ -230,6 +217,18 @@ class BalanceSearch {
 };
 
 }  // namespace
+
+bool is_read(const Mechanism& mechanism, JointIndex joint) {
+  const auto reads = [&](NumberIndex number) {
+    return number.exists() &&
+           std::ranges::count(mechanism.numbers()[number].formula.joints(), joint) > 0;
+  };
+  return std::ranges::any_of(mechanism.drivers(),
+                             [&](const Driver& driver) { return reads(driver.position); }) ||
+         std::ranges::any_of(mechanism.loading().loads, [&](const Load& load) {
+           return reads(load.force_x) || reads(load.force_y) || reads(load.moment);
+         });
+}
 
 std::size_t largest_group(const Structure& structure) {
   std::size_t largest = 0;

@@ -16,6 +16,10 @@ using FoundStructure = std::variant<Structure, OverConstrained, MechanismError>;
 /// Finds what `structure_of` returns or throws.
 [[nodiscard]] FoundStructure found_structure(const Mechanism& mechanism);
 
+/// Whether the law of a driver, or a load, reads where a joint is: one that is left out has no
+/// coordinate.
+[[nodiscard]] bool is_read(const Mechanism& mechanism, JointIndex joint);
+
 struct BalancedMechanism {
   Mechanism mechanism;
   Structure structure;

@@ -46,7 +46,7 @@ OverConstrained refusal_where_driven_on(const PlanData& plan, bool assembles) {
   return refusal;
 }
 
-OverConstrained refusal_without_groups(const OverConstrained& excess) {
+OverConstrained refusal_without_groups(const Mechanism& mechanism, const OverConstrained& excess) {
   if (excess.surplus > most_surplus) {
     return {"",
             std::string(excess.what()) + "; at most " + std::to_string(most_surplus) +
@@ -55,10 +55,21 @@ OverConstrained refusal_without_groups(const OverConstrained& excess) {
   }
   const std::string constraints =
       excess.surplus == 1 ? "constraint was" : std::to_string(excess.surplus) + " constraints were";
+  std::vector<std::string> read;
+  for (const JointIndex joint : mechanism.joints().keys()) {
+    const std::string& name = mechanism.joints()[joint].name;
+    if (std::ranges::find(excess.joints, name) != excess.joints.end() &&
+        is_read(mechanism, joint)) {
+      read.push_back(name);
+    }
+  }
   return {"",
           std::string(excess.what()) + "; no " + constraints +
               " found without which the links form groups that are known, so that it was not "
-              "checked whether they hold",
+              "checked whether they hold" +
+              (read.empty() ? ""
+                            : "; " + text::listed(read) +
+                                  " cannot be left out, because laws or loads read where it is"),
           excess.surplus, excess.joints};
 }
 

@@ -18,7 +18,8 @@ namespace assur::mechanism::plan {
 
 /// The error where no choice of constraints to leave out makes the mechanism's groups known ones,
 /// so that it is not known whether the excess constraints hold.
-[[nodiscard]] OverConstrained refusal_without_groups(const OverConstrained& excess);
+[[nodiscard]] OverConstrained refusal_without_groups(const Mechanism& mechanism,
+                                                     const OverConstrained& excess);
 
 /// The error where the mechanism has no configuration even without the redundant joints.
 [[nodiscard]] OverConstrained refusal_without_assembly(const PlanData& plan,

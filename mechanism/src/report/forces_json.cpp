@@ -90,7 +90,7 @@ void add_all_forces(const Report& report, const Configuration& configuration, Js
     }
   }
   entry["drivers"] = Json::object();
-  for (const DriverIndex driver : mechanism.drivers().keys()) {
+  for (const DriverIndex driver : described_drivers(mechanism)) {
     add(
         [&](const Forces& of) {
           return Json{{"effort", number_json(of.efforts[driver])}};
@@ -183,12 +183,11 @@ void add_coefficients(const Report& report, const Configuration& configuration, 
     entry["outputs"][mechanism.outputs()[output].name]["coefficients"] =
         coefficients_json(all.outputs[output], drivers, all.reason);
   }
-  for (const JointIndex joint : mechanism.joints().keys()) {
-    const Joint& at = mechanism.joints()[joint];
-    if (at.between.size() == 2 && report.plan.request().reported.has(joint) &&
-        !report.plan.is_stand_in(joint)) {
-      entry["joints"][at.name]["coefficients"] =
-          coefficients_json(all.joints[joint], drivers, all.reason);
+  for (const JointCoefficients& of : all.joints) {
+    const JointIndex joint = index_of(mechanism.joints(), of.joint);
+    if (!joint.exists() || report.plan.request().reported.has(joint)) {
+      entry["joints"][of.joint]["coefficients"] =
+          coefficients_json(of.coordinate, drivers, all.reason);
     }
   }
 }

@@ -62,6 +62,22 @@ void compare_with_page(const std::map<std::string, Count>& stated) {
   EXPECT_EQ(rows, 10);
 }
 
+/// Forces take the reciprocals that the rates have found, and divide by nothing themselves. Returns
+/// how many groups have both.
+int expect_one_division(const std::map<std::string, Count>& stated) {
+  int groups = 0;
+  for (const auto& [name, count] : stated) {
+    const std::string group = name.substr(0, name.find("::"));
+    const bool has_rates =
+        stated.contains(group + "::motion") || stated.contains(group + "::velocity");
+    if (name == group + "::forces" && has_rates) {
+      EXPECT_EQ(count.divisions, 0) << name;
+      ++groups;
+    }
+  }
+  return groups;
+}
+
 TEST(EmitSceneCounts, AreWhatTheFunctionsOfAllExamplesDo) {
   const TemporaryDirectory directory;
   std::map<std::string, Count> stated;
@@ -100,6 +116,7 @@ TEST(EmitSceneCounts, AreWhatTheFunctionsOfAllExamplesDo) {
     ++functions;
   }
   EXPECT_EQ(functions, stated.size());
+  EXPECT_GT(expect_one_division(stated), 0);
   compare_with_page(stated);
   EXPECT_GT(functions, 100U);
 }

@@ -188,6 +188,7 @@ TEST(EmitSpecialForces, OfASpringWithoutADirectionAreThoseOfSolve) {
   scene["springs"]["K"]["length"] = 0;
   scenes.push_back({"without_length", scene});
   scene["springs"]["K"]["damping"] = 2;
+  scenes.push_back({"with_damper_at_rest", scene});
   scene["drivers"]["A"]["velocity"] = 1;
   scenes.push_back({"with_damper", scene});
   const Compared compared = compare(scenes);
@@ -214,7 +215,8 @@ class EmitSpecialForcesOfScenes : public DrivenScenes {};
 
 /// On a lattice of whole numbers springs have ends that coincide, links lie in one line, and
 /// drivers move through change points. A scene in which a link has no direction is not emitted, nor
-/// one whose links are solved relative to a moving link where nothing can be assembled.
+/// one with more than 4096 configurations, nor one whose links are solved relative to a moving link
+/// where nothing can be assembled.
 TEST_P(EmitSpecialForcesOfScenes, OnALatticeAreThoseOfSolve) {
   if (!is_whole_campaign()) {
     GTEST_SKIP() << "compiling the solvers takes minutes";
@@ -234,7 +236,9 @@ TEST_P(EmitSpecialForcesOfScenes, OnALatticeAreThoseOfSolve) {
       const auto says = [&](const char* text) {
         return emitted.messages.find(text) != std::string::npos;
       };
-      EXPECT_TRUE(says("no direction") || says("relative to a moving link")) << emitted.messages;
+      EXPECT_TRUE(says("no direction") || says("relative to a moving link") ||
+                  says("an emitted solver lists 4096 at most"))
+          << emitted.messages;
       ++refused;
     }
   });

@@ -148,7 +148,7 @@ generator::program::OperationCount operations(const ForcedModel& model,
                                               const std::vector<generator::program::Result>& all) {
   std::vector<GiNaC::symbol> given;
   for (const auto& [symbol, entry] :
-       generator::emission::model::force_function(model.forces).loads) {
+       generator::emission::model::force_function(model.forces).given) {
     given.push_back(symbol);
   }
   const generator::program::SymbolOrder order = generator::program::symbol_order(

@@ -50,6 +50,12 @@ struct Dynamics {
   std::string reason;  ///< why something is not determined; empty where all is
 };
 
+/// The derivatives of the coordinate of a joint of two links.
+struct JointCoefficients {
+  std::string joint;
+  Derivatives<1> coordinate;
+};
+
 /// First and second derivatives by the coordinates of the free drivers, in their order, where the
 /// laws of the other drivers follow and the parameters are held. Those that are not determined are
 /// NaN.
@@ -57,11 +63,13 @@ struct KinematicCoefficients {
   std::vector<DriverIndex> drivers;
   Table<LinkIndex, Derivatives<3>> links;  ///< of x, y and theta
   Table<OutputIndex, Derivatives<2>> outputs;
-  Table<JointIndex, Derivatives<1>> joints;  ///< of the joints of two links; empty for others
-  std::string reason;  ///< why something is not determined; empty where all is
+  std::vector<JointCoefficients> joints;  ///< those that are left out as redundant come last
+  std::string reason;                     ///< why something is not determined; empty where all is
 };
 
-/// The drivers whose laws read no joint.
+/// The drivers that were described: all but those that hold idle links at rest.
+[[nodiscard]] std::vector<DriverIndex> described_drivers(const Mechanism& mechanism);
+/// Those of them whose laws read no joint.
 [[nodiscard]] std::vector<DriverIndex> free_drivers(const Mechanism& mechanism);
 
 /// Each of the following throws MechanismError for a load that has no value.

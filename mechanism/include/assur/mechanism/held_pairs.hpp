@@ -4,6 +4,7 @@
 
 #include <array>
 #include <assur/mechanism/structure.hpp>
+#include <string>
 #include <vector>
 
 namespace assur::mechanism {
@@ -15,6 +16,9 @@ struct HeldPair {
   std::array<bool, 3> holds;
   DriverIndex driver = {};
   int driven = 0;  ///< the coordinate that the driver prescribes
+  /// The two features in the order in which the joint is described.
+  std::array<FeatureIndex, 2> between = {};
+  std::string joint = {};  ///< the name of the joint to which the pair belongs
 };
 
 /// Whether a joint was not described, but stands in for what is left of a redundant joint.
@@ -26,5 +30,8 @@ struct HeldPair {
 /// The pairs that all described joints hold; those that are solved for come first.
 [[nodiscard]] std::vector<HeldPair> held_pairs(const Mechanism& mechanism,
                                                const std::vector<RedundantJoint>& redundant);
+/// Those of them that are joints of two links.
+[[nodiscard]] std::vector<HeldPair> pairs_of_two_links(
+    const Mechanism& mechanism, const std::vector<RedundantJoint>& redundant);
 
 }  // namespace assur::mechanism

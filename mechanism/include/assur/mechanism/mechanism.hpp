@@ -192,6 +192,8 @@ class Mechanism {
   [[nodiscard]] const Table<OutputIndex, Output>& outputs() const { return outputs_; }
   /// The driver of a joint; does not exist if the joint has none.
   [[nodiscard]] DriverIndex driver_of(JointIndex joint) const;
+  /// Whether a driver was not described, but holds an idle link at rest.
+  [[nodiscard]] bool holds_idle(DriverIndex driver) const;
   /// The fixed frame; does not exist if no link is named `ground`.
   [[nodiscard]] LinkIndex ground() const { return index_of(links_, std::string("ground")); }
 

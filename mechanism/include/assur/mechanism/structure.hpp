@@ -84,6 +84,7 @@ struct RedundantJoint {
   /// does not exist where no constraint is left.
   FeatureIndex stand_in = {};
   FeatureIndex from = {};  ///< the point of the other one's link from which such a slot leads
+  bool is_turned = false;  ///< whether the joint is described from the other one to the one
 };
 
 /// A driver whose law reads joints that groups place.

@@ -117,10 +117,12 @@ class CoordinateMotions {
  private:
   [[nodiscard]] Rates rates_along(int i, int j) const {
     auto drivers = standing_.drivers;
+    for (Scalar* rate : drivers.rates()) {  // those of idle links, too
+      *rate = Scalar(0);
+    }
     int coordinate = 0;
     for (auto* driver : Parts::coordinates(drivers)) {
       driver->velocity = Scalar(coordinate == i || coordinate == j ? 1 : 0);
-      driver->acceleration = Scalar(0);
       ++coordinate;
     }
     Placed moving;

@@ -17,10 +17,11 @@ namespace assur::support {
 /// The equilibrium A x + w = 0 of links that move: three rows for each, the force and, divided by a
 /// length, the moment about its pivot. An unknown x holds one coordinate of two features: it is the
 /// force of a bearing, or a driver's effort; couples are in units of the length. `Passed` is the
-/// number of times that a law of a driver reads a joint.
-template <int Links, int Unknowns, int Passed, typename Scalar>
+/// number of times that a law of a driver reads a joint. Of `Springs` the pull may not be known.
+template <int Links, int Unknowns, int Passed, int Springs, typename Scalar>
 class Equilibrium {
   static constexpr int rows = 3 * Links;
+  static constexpr int columns = Unknowns + 2 * Springs;
   /// Directions that A shortens to less than this part of its largest pivot count as null.
   static constexpr Scalar least = std::is_same_v<Scalar, float> ? Scalar(1e-3) : Scalar(1e-9);
   /// What is left of rounding there: an unknown that moves less along a null direction does not
@@ -37,7 +38,7 @@ class Equilibrium {
     Reaction reaction;
   };
   using Table = local::Table<Scalar>;
-  using Pivots = local::Pivots<rows, Unknowns>;
+  using Pivots = local::Pivots<rows, columns>;
 
  public:
   /// Two features, of which some coordinates (x, y, theta) of the second one in the frame of the
@@ -59,6 +60,18 @@ class Equilibrium {
     passed_[static_cast<std::size_t>(passed_count_++)] = {
         unknown, along(first, second, one, other, coordinate, -slope)};
   }
+  /// A spring pulls the first of two links at a place toward the second. Where the pull is not
+  /// known, it counts as two more unknowns.
+  template <typename Place>
+  void pull(int first, int second, const Place& at, const Vector<Scalar, 2>& pull) {
+    if (std::isfinite(pull(0)) && std::isfinite(pull(1))) {
+      return;
+    }
+    for (const int axis : {0, 1}) {
+      units_[static_cast<std::size_t>(Unknowns + pulls_++)] = {
+          first, second, at.x, at.y, Scalar(1 - axis), Scalar(axis), Scalar(0)};
+    }
+  }
   void load(int link, const LinkLoad<Scalar>& on) { loads_[static_cast<std::size_t>(link)] = on; }
 
   /// Finds the unknowns. Those that are not determined become NaN: those in which A has a null
@@ -71,16 +84,16 @@ class Equilibrium {
   void solve(const Scalar& tolerance) {
     find_size();
     leave_out_unknown_loads();
-    local::Memory<Scalar, rows*(Unknowns + 1)> memory;
+    local::Memory<Scalar, rows*(columns + 1)> memory;
     for (bool is_balanced = false; !is_balanced;) {
-      Table table(memory, rows, Unknowns + 1);
+      Table table(memory, rows, columns + 1);
       fill(table);
       Pivots pivots;
-      pivots.begin(rows, Unknowns);
+      pivots.begin(rows, columns);
       const Scalar largest = largest_load(table);
-      const Scalar first = local::eliminate_largest(table, Unknowns, Scalar(0), pivots);
+      const Scalar first = local::eliminate_largest(table, columns, Scalar(0), pivots);
       const Scalar bound = first * (std::max)(least, tolerance / size_);
-      while (local::eliminate_largest(table, Unknowns, bound, pivots) > 0) {
+      while (local::eliminate_largest(table, columns, bound, pivots) > 0) {
       }
       find_movable(table, pivots);
       is_balanced = leaves_at_most(response * largest, table, pivots) || !leave_out_movable();
@@ -88,7 +101,7 @@ class Equilibrium {
         const int row = pivots.row_of(unknown);
         found_[static_cast<std::size_t>(unknown)] = movable_[static_cast<std::size_t>(unknown)]
                                                         ? std::numeric_limits<Scalar>::quiet_NaN()
-                                                        : -table(row, Unknowns);
+                                                        : -table(row, columns);
       }
     }
   }
@@ -135,7 +148,8 @@ class Equilibrium {
   void find_size() {
     using std::sqrt;
     Scalar longest = 0;
-    for (const Reaction& unit : units_) {
+    for (int unknown = 0; unknown < Unknowns; ++unknown) {
+      const Reaction& unit = units_[static_cast<std::size_t>(unknown)];
       for (const int link : {unit.on, unit.from}) {
         if (link >= 0) {
           const auto& pivot = pivots_[static_cast<std::size_t>(link)];
@@ -191,7 +205,7 @@ class Equilibrium {
         }
       }
     };
-    for (int unknown = 0; unknown < Unknowns; ++unknown) {
+    for (int unknown = 0; unknown < columns; ++unknown) {
       leave_out(unknown, units_[static_cast<std::size_t>(unknown)]);
     }
     for (const PassedOn& passed : passed_) {
@@ -201,15 +215,15 @@ class Equilibrium {
   }
   /// A and w, without the rows that are left out.
   void fill(Table& table) const {
-    for (int unknown = 0; unknown < Unknowns; ++unknown) {
+    for (int unknown = 0; unknown < columns; ++unknown) {
       add(units_[static_cast<std::size_t>(unknown)], unit_of(unknown), unknown, table);
     }
     for (const PassedOn& passed : passed_) {
       add(passed.reaction, unit_of(passed.unknown), passed.unknown, table);
     }
     for (int row = 0; row < rows; ++row) {
-      table(row, Unknowns) = load_of(row / 3)[static_cast<std::size_t>(row % 3)];
-      for (int column = 0; column <= Unknowns && is_left_out_[static_cast<std::size_t>(row)];
+      table(row, columns) = load_of(row / 3)[static_cast<std::size_t>(row % 3)];
+      for (int column = 0; column <= columns && is_left_out_[static_cast<std::size_t>(row)];
            ++column) {
         table(row, column) = 0;
       }
@@ -218,7 +232,7 @@ class Equilibrium {
   [[nodiscard]] static Scalar largest_load(const Table& table) {
     Scalar largest = 0;
     for (int row = 0; row < rows; ++row) {
-      largest = (std::max)(largest, std::abs(table(row, Unknowns)));
+      largest = (std::max)(largest, std::abs(table(row, columns)));
     }
     return largest;
   }
@@ -226,7 +240,7 @@ class Equilibrium {
   [[nodiscard]] static bool leaves_at_most(const Scalar& most, const Table& table,
                                            const Pivots& pivots) {
     for (int row = 0; row < rows; ++row) {
-      if (pivots.column_of(row) < 0 && std::abs(table(row, Unknowns)) > most) {
+      if (pivots.column_of(row) < 0 && std::abs(table(row, columns)) > most) {
         return false;
       }
     }
@@ -235,7 +249,7 @@ class Equilibrium {
   /// The unknowns in which null directions of A have a part.
   void find_movable(const Table& table, const Pivots& pivots) {
     movable_.fill(false);
-    for (int free = 0; free < Unknowns; ++free) {
+    for (int free = 0; free < columns; ++free) {
       if (pivots.row_of(free) >= 0) {
         continue;
       }
@@ -253,16 +267,16 @@ class Equilibrium {
     }
   }
 
-  std::array<Reaction, static_cast<std::size_t>(Unknowns)> units_;
+  std::array<Reaction, static_cast<std::size_t>(columns)> units_;
   std::array<PassedOn, static_cast<std::size_t>(Passed)> passed_;
   std::array<LinkLoad<Scalar>, static_cast<std::size_t>(Links)> loads_;
   std::array<Pose<Scalar>, static_cast<std::size_t>(Links)> pivots_;
   std::array<bool, static_cast<std::size_t>(Links)> has_pivot_{};
-  std::array<bool, static_cast<std::size_t>(Unknowns)> movable_{};
+  std::array<bool, static_cast<std::size_t>(columns)> movable_{};
   std::array<Scalar, static_cast<std::size_t>(Unknowns)> found_{};
   std::array<bool, static_cast<std::size_t>(rows)> is_left_out_{};
   Scalar size_ = 1;
-  int unknowns_ = 0, passed_count_ = 0;
+  int unknowns_ = 0, passed_count_ = 0, pulls_ = 0;
 };
 
 }  // namespace assur::support

@@ -8,6 +8,7 @@
 #include <assur/status.hpp>
 #include <assur/support/placed_link.hpp>
 #include <assur/support/specialised.hpp>
+#include <type_traits>
 
 namespace assur::support {
 
@@ -17,6 +18,15 @@ inline constexpr auto unit_of = static_cast<typename numeric::PartOf<Scalar>::Ty
 template <typename Group, typename Scalar>
 inline constexpr auto own_length =
     static_cast<typename numeric::PartOf<Scalar>::Type>(Group::own_length);
+
+/// The number of reciprocals that a group's rates and forces share.
+template <typename Group, typename = void>
+inline constexpr int reciprocal_count = 0;
+template <typename Group>
+inline constexpr int reciprocal_count<Group, std::void_t<decltype(Group::reciprocal_count)>> =
+    Group::reciprocal_count;
+template <typename Group, typename Scalar>
+using Reciprocals = Vector<Scalar, reciprocal_count<Group>>;
 
 /// A slide: its displacement and the first `Order` time derivatives of the displacement.
 template <typename Scalar, int Order>
@@ -96,6 +106,7 @@ struct PlacedGroup {
   std::array<Frame<Scalar, Order, Parameters>, detail::size(Group::link_count)> frames;
   std::array<Direction<Scalar>, detail::size(Group::direction_count)> directions;
   Matrix<Scalar, Group::unknown_count, Order> rates;  ///< lengths in the group's unit
+  Reciprocals<Group, Scalar> reciprocals = numeric::zeros<Reciprocals<Group, Scalar>>();
   Status regularity = Status::ok;
 };
 
@@ -104,6 +115,7 @@ template <typename Group, typename Scalar>
 struct UnknownRates {
   Vector<Scalar, Group::unknown_count> first;
   Vector<Scalar, Group::unknown_count> second;  ///< set where accelerations are modelled
+  Reciprocals<Group, Scalar> reciprocals;       ///< by which the group's forces are found, too
 };
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard]] UnknownRates<Group, Scalar> rates_of_unknowns(
@@ -111,11 +123,18 @@ template <typename Group, typename Scalar, int Order, int Parameters>
     const typename Group::template Configuration<Scalar>& q) {
   UnknownRates<Group, Scalar> rates;
   const Vector<Scalar, Group::input_count> u_rate = numeric::column(held.rates, 0);
-  if constexpr (Order > 1) {
-    const Vector<Scalar, Group::input_count> u_second_rate = numeric::column(held.rates, 1);
-    Group::motion(held.u, q, u_rate, u_second_rate, rates.first, rates.second);
+  const auto find = [&](auto&... reciprocals) {
+    if constexpr (Order > 1) {
+      const Vector<Scalar, Group::input_count> u_second_rate = numeric::column(held.rates, 1);
+      Group::motion(held.u, q, u_rate, u_second_rate, rates.first, rates.second, reciprocals...);
+    } else {
+      Group::velocity(held.u, q, u_rate, rates.first, reciprocals...);
+    }
+  };
+  if constexpr (reciprocal_count < Group >> 0) {
+    find(rates.reciprocals);
   } else {
-    Group::velocity(held.u, q, u_rate, rates.first);
+    find();
   }
   return rates;
 }
@@ -144,6 +163,7 @@ void move_links(const HeldJoints<Group, Scalar, Order, Parameters>& held,
                 const UnknownRates<Group, Scalar>& q_rates,
                 PlacedGroup<Group, Scalar, Order, Parameters>& placed) {
   constexpr int links = Group::link_count;
+  placed.reciprocals = q_rates.reciprocals;
   const Vector<Scalar, Group::input_count> u_rate = numeric::column(held.rates, 0);
   if constexpr (Order > 1) {
     auto acceleration = numeric::zeros<Matrix<Scalar, links, 3>>();

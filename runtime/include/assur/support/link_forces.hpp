@@ -108,8 +108,9 @@ template <typename Scalar, int Order, int Parameters>
   return {stiffness * (other.x - one.x), stiffness * (other.y - one.y)};
 }
 
-/// The same for a spring of a length, with a damper. It has no direction, and its force is not a
-/// number, where the points coincide to within the rounding of the lengths that lead to them.
+/// The same for a spring of a length, with a damper. Where the points coincide to within the
+/// rounding of the lengths that lead to them it has no direction, and its force is not a number,
+/// unless none is needed.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Vector<Scalar, 2> directed_pull(const Point<Scalar, Order, Parameters>& one,
                                               const Point<Scalar, Order, Parameters>& other,
@@ -122,11 +123,24 @@ template <typename Scalar, int Order, int Parameters>
   // In double 1e-13 of the longest of these lengths.
   constexpr Scalar rounding_of_places = 450 * std::numeric_limits<Scalar>::epsilon();
   const Scalar reach = larger(one.displaced.reach, other.displaced.reach);
-  const Scalar divisor = length > rounding_of_places * reach ? length : Scalar(0);
-  const Direction<Scalar> along{apart_x / divisor, apart_y / divisor};
-  const Scalar rate = along.cos * (other.rates(0, 0) - one.rates(0, 0)) +
-                      along.sin * (other.rates(1, 0) - one.rates(1, 0));
+  const Scalar rate_x = other.rates(0, 0) - one.rates(0, 0);
+  const Scalar rate_y = other.rates(1, 0) - one.rates(1, 0);
+  if (!(length > rounding_of_places * reach)) {
+    const bool needs_none = stiffness * rest == Scalar(0) &&
+                            (damping == Scalar(0) || (rate_x == Scalar(0) && rate_y == Scalar(0)));
+    constexpr Scalar none = std::numeric_limits<Scalar>::quiet_NaN();
+    return needs_none ? spring_pull(one, other, stiffness) : Vector<Scalar, 2>{none, none};
+  }
+  const Direction<Scalar> along{apart_x / length, apart_y / length};
+  const Scalar rate = along.cos * rate_x + along.sin * rate_y;
   return force_along<Scalar>(along, stiffness * (length - rest) + damping * rate);
+}
+
+/// A pull, or none where it is not known.
+template <typename Scalar>
+[[nodiscard]] Vector<Scalar, 2> known_pull(const Vector<Scalar, 2>& pull) {
+  using std::isfinite;
+  return isfinite(pull(0)) && isfinite(pull(1)) ? pull : Vector<Scalar, 2>{Scalar(0), Scalar(0)};
 }
 
 /// An angle within half a turn. At half a turn rounding would choose between the two senses; it
@@ -172,7 +186,11 @@ class GroupForces {
   /// Finds the forces where the configuration is regular.
   template <typename Held>
   void solve(const Held& held, const SolvedGroup<Group, Scalar>& solved) {
-    Group::forces(held.u, solved.q, loads_, forces_);
+    if constexpr (reciprocal_count < Group >> 0) {
+      Group::forces(held.u, solved.q, loads_, solved.reciprocals, forces_);
+    } else {
+      Group::forces(held.u, solved.q, loads_, forces_);
+    }
   }
   /// The force of a joint on its second link.
   [[nodiscard]] Vector<Scalar, 2> force(int joint) const {

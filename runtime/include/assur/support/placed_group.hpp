@@ -15,11 +15,12 @@
 
 namespace assur::support {
 
-/// The configuration of a group, and its regularity.
+/// The configuration of a group, its regularity, and what its rates share with its forces.
 template <typename Group, typename Scalar>
 struct SolvedGroup {
   typename Group::template Configuration<Scalar> q;
   Status regularity = Status::ok;
+  Reciprocals<Group, Scalar> reciprocals = numeric::zeros<Reciprocals<Group, Scalar>>();
 };
 
 /// The regularity of a configuration where rounding has displaced what holds the group.
