@@ -1,10 +1,12 @@
-// Turns turns of a crank that carries a six-link group, or a row of three dyads, into the tasks of
-// larger groups.
+// Turns turns of a crank that carries a six-link group, or a row of dyads, into the tasks of larger
+// groups.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Eigenvalues>
+#include <assur/scenes/one_dyad.hpp>
 #include <assur/scenes/three_dyads.hpp>
 #include <assur/scenes/three_pairs.hpp>
+#include <assur/scenes/two_dyads.hpp>
 #include <memory>
 #include <random>
 #include <vector>
@@ -267,6 +269,11 @@ std::vector<Task> group_tasks(const TaskSizes& sizes) {
       followed_by<SixLinks>(following.name, "emitted, six-link group", inputs));
   following.entries.push_back(
       followed_by<scenes::ThreeDyads>(following.name, "emitted, three dyads", inputs));
+  // Rows of fewer links tell how the time grows with their number.
+  following.entries.push_back(
+      followed_by<scenes::TwoDyads>(following.name, "emitted, two dyads", inputs));
+  following.entries.push_back(
+      followed_by<scenes::OneDyad>(following.name, "emitted, one dyad", inputs));
   return {configurations_task(inputs), following};
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <assur/loops/elimination.hpp>
+#include <assur/loops/start.hpp>
 #include <assur/model_tables.hpp>
 #include <string>
 #include <vector>
@@ -39,6 +40,7 @@ struct GroupModel {
   const ModelKernel* kernel;  ///< its functions
   /// Of a derived model: the ways to all of its complex configurations, the smallest first.
   std::vector<loops::Elimination> eliminations;
+  std::vector<loops::Start> starts;  ///< where there are none: the ways from other numbers
   std::vector<int> slide_angles;  ///< along which its displacements run, as in `LoopEquations`
 
   [[nodiscard]] bool is_derived() const { return number == 0; }
@@ -63,8 +65,8 @@ struct GroupModels {
 /// The largest group that is solved.
 inline constexpr std::size_t most_links_of_group = 8;
 /// The model of a group with these joints among some links, derived from its graph when it is asked
-/// for first; it lasts as long as the process. Null where the group has no isolated configuration,
-/// or has slides in more than two directions: `obstacle` then tells which.
+/// for first; it lasts as long as the process. Null where the group has no isolated configuration:
+/// `obstacle` then tells why.
 [[nodiscard]] const GroupModel* derived_model(int link_count, const std::vector<ModelJoint>& joints,
                                               std::string& obstacle);
 

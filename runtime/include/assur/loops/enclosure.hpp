@@ -5,6 +5,7 @@
 #include <array>
 #include <assur/loops/hidden_angle.hpp>
 #include <assur/loops/loop_equations.hpp>
+#include <assur/loops/parameter_path.hpp>
 #include <assur/loops/settling.hpp>
 #include <cmath>
 #include <limits>
@@ -219,12 +220,11 @@ template <typename Of>
   return ball.holds <= ball.alone;
 }
 
-/// Searches by one elimination after another until `complex_count` balls are found, or all
-/// eliminations are used.
-template <typename Of, typename Eliminations>
+/// Searches by one way after another, each an `Elimination` or a `Start`, until `complex_count`
+/// balls are found, or all ways are used.
+template <typename Of, typename Ways>
 [[nodiscard]] AllConfigurations<Of> all_configurations(const LoopEquations<Of>& equations,
-                                                       const Eliminations& eliminations,
-                                                       int complex_count) {
+                                                       const Ways& ways, int complex_count) {
   const double unit = equations.size();
   LoopEquations<Of> own = equations;  // displacements, and closures, in parts of the size
   own.of_angles /= unit;
@@ -253,8 +253,8 @@ template <typename Of, typename Eliminations>
     }
     result.enclosed.push_back(ball);
   };
-  for (const Elimination& elimination : eliminations) {
-    each_candidate<Of>(own, elimination, found);
+  for (const auto& way : ways) {
+    each_candidate<Of>(own, way, found);
     if (result.count() >= complex_count) {
       break;
     }
