@@ -41,7 +41,7 @@ struct GroupModel {
   /// Of a derived model: the ways to all of its complex configurations, the smallest first.
   std::vector<loops::Elimination> eliminations;
   std::vector<loops::Start> starts;  ///< where there are none: the ways from other numbers
-  std::vector<int> slide_angles;  ///< along which its displacements run, as in `LoopEquations`
+  std::vector<int> slide_angles;     ///< along which its displacements run, as in `LoopEquations`
 
   [[nodiscard]] bool is_derived() const { return number == 0; }
 };
@@ -76,7 +76,7 @@ inline constexpr std::size_t most_links_of_group = 8;
 struct GroupProof {
   int boxes = 0;         ///< disjoint balls that were found
   int of = 0;            ///< complex configurations that there are in general position
-  double radius = 0;     ///< of this configuration's ball: radians, and parts of the group's size
+  double radius = 0;     ///< its ball's: radians, and parts of the size or of a longer displacement
   std::string obstacle;  ///< why this configuration is in no ball; empty where it is in one
 
   [[nodiscard]] bool is_complete() const { return obstacle.empty() && boxes == of; }

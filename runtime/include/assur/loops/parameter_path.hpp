@@ -27,7 +27,7 @@ class ParameterPath {
   /// Follows the path of a configuration as far as steps lead: to t = 1, or to where it comes close
   /// to a multiple configuration or to infinity there. Whether it is at t = 1.
   bool follow(At& at) const {
-    constexpr int most_steps = 400;  // paths take some 40
+    constexpr int most_steps = 400;  // paths take some 20
     constexpr double first_step = 0.05;
     constexpr double shortest_step = 1e-10;  // of t, near which rounding bends a path
     double t = 0;
@@ -52,9 +52,9 @@ class ParameterPath {
   }
 
  private:
-  // Newton's first step after a prediction, in radians and parts of the size: its second one is as
-  // its square, and a third one is rounding.
-  static constexpr double goal = 1e-5, most_missed = 1e-3;
+  // Newton's first step after a prediction, in radians and parts of the size: what the second one
+  // leaves is as its fourth power.
+  static constexpr double goal = 1e-3, most_missed = 1e-2;
 
   /// dz/dt = -(dH/dz)^-1 (g - turn f).
   [[nodiscard]] Step rate(const At& at, double t) const {
@@ -97,7 +97,7 @@ class ParameterPath {
     double result = 0;
     const Eigen::Index angles = step.size() - at.s.size();
     for (Eigen::Index entry = 0; entry < step.size(); ++entry) {
-      const double unit = entry < angles ? 1 : (std::max)(1.0, std::abs(at.s(entry - angles)));
+      const double unit = entry < angles ? 1 : unit_of(at.s(entry - angles));
       const double length = std::abs(step(entry)) / unit;
       result = length <= result ? result : length;  // NaN counts as the largest
     }
