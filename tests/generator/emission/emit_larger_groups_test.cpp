@@ -58,7 +58,7 @@ Json with_three_slides() {
                                               {"bar_b", "Q", "T", "one"},
                                               {"bar_c", "U", "S", "three"}}) {
     scene["links"][bar] = {other};
-    scene["joints"][std::string("guide of ") + bar] = {
+    scene["joints"][std::string("guide_") + bar] = {
         {"type", "prismatic"}, {"links", {link, bar}}, {"at", end}, {"along", {end, other}}};
   }
   return scene;
