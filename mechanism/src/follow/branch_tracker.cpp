@@ -77,12 +77,7 @@ void BranchTracker::advance(const SnapshotPointer& set) {
     advance(middle);
     advance(set);
   } else if (!is_explained(set, matching, Explaining::all_that_is)) {
-    if (solver_.looks_closely()) {
-      give_up(set, matching);
-    } else {
-      const SnapshotSolver::CloseLook look(solver_);
-      advance(set);
-    }
+    give_up(set, matching);
   }
 }
 

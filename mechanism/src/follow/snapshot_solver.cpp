@@ -11,7 +11,6 @@
 #include "solve/longest_on_links.hpp"
 #include "solve/moved_by_parameter.hpp"
 #include "solve/precision.hpp"
-#include "solve/slope_error.hpp"
 
 namespace assur::mechanism::follow {
 
@@ -143,11 +142,11 @@ SnapshotPointer SnapshotSolver::at_step(double parameter) {
   if (!counted_.is_empty()) {
     counted_.forget_all_but(counted_.nearest(parameter));
   }
-  SnapshotPointer set = solved(parameter);
+  SnapshotPointer set = solved(parameter, true);
   counted_.note(set, is_count_ambiguous_);
   if (counted_.is_empty() && has_counted_angles(*set)) {
-    const SnapshotPointer beside =
-        solved_here(parameter + std::copysign(beside_first * way_of_size(*set), to_ - from_));
+    const SnapshotPointer beside = solved_here(
+        parameter + std::copysign(beside_first * way_of_size(*set), to_ - from_), false);
     counted_.note(beside, is_count_ambiguous_);
   }
   return set;
@@ -172,9 +171,9 @@ std::unique_ptr<Snapshot> SnapshotSolver::begun(double parameter) {
 /// that is left there may last, as where a branch stays singular; until it ends, the steps grow,
 /// since shorter ones would not remove it. Far beyond the sweep, where only a wrong guess can lead,
 /// nothing is counted in steps.
-SnapshotPointer SnapshotSolver::solved(double parameter) {
+SnapshotPointer SnapshotSolver::solved(double parameter, bool finds_motions) {
   if (counted_.is_empty()) {
-    return solved_here(parameter);
+    return solved_here(parameter, finds_motions);
   }
   const SnapshotPointer nearest = counted_.nearest(parameter);
   double here = nearest->parameter;
@@ -190,7 +189,7 @@ SnapshotPointer SnapshotSolver::solved(double parameter) {
     const bool arrives = std::abs(rest) <= width || left <= 0;
     const double next = arrives ? parameter : here + std::copysign(width, rest);
     solver_.count_from(counted_.beside(next, here));
-    SnapshotPointer set = solved_here(next);
+    SnapshotPointer set = solved_here(next, arrives && finds_motions);
     const double way = std::abs(next - here);
     const bool is_in_doubt = is_count_in_doubt_ || (has_counted_angles(*set) && !is_regular(*set));
     if (is_in_doubt && !does_doubt_last && left > 0 &&
@@ -207,18 +206,16 @@ SnapshotPointer SnapshotSolver::solved(double parameter) {
   }
 }
 
-SnapshotPointer SnapshotSolver::solved_here(double parameter) {
+SnapshotPointer SnapshotSolver::solved_here(double parameter, bool finds_motions) {
   std::unique_ptr<Snapshot> snapshot = begun(parameter);
-  (void)solver_.solve({.within_limits = false}, solve::SoughtAll{}, snapshot->solution);
+  (void)solver_.solve({.within_limits = false, .finds_motions = finds_motions}, solve::SoughtAll{},
+                      snapshot->solution);
   is_count_in_doubt_ = solver_.is_count_in_doubt();
   is_count_ambiguous_ = solver_.is_count_ambiguous();
   if (snapshot->solution.configurations.size() > most_followed) {
     throw MechanismError("sweep", "more than " + std::to_string(most_followed) +
                                       " configurations at one value cannot be followed; follow "
                                       "one of them alone, by its number or a reference");
-  }
-  if (closely_) {
-    mark_known_paths(snapshot->solution);
   }
   std::shared_ptr<Snapshot> set = completed(std::move(snapshot));
   const bool has_less = has_less_than_beside(*set);
@@ -240,7 +237,8 @@ bool SnapshotSolver::has_less_than_beside(const Snapshot& set) {
   std::shared_ptr<const Snapshot> neighbour;
   try {
     auto snapshot = begun(set.parameter + std::copysign(little * way_of_size(set), inward));
-    (void)solver_.solve({.within_limits = false}, solve::SoughtAll{}, snapshot->solution);
+    (void)solver_.solve({.within_limits = false, .finds_motions = false}, solve::SoughtAll{},
+                        snapshot->solution);
     neighbour = completed(std::move(snapshot));
   } catch (const MechanismError&) {
     return false;  // A formula may have no value there.
@@ -248,14 +246,6 @@ bool SnapshotSolver::has_less_than_beside(const Snapshot& set) {
   families_ = std::min(families, neighbour->solution.families.size());
   return (families > families_ || is_merged) && neighbour->separable &&
          neighbour->count() > set.count();
-}
-
-void SnapshotSolver::mark_known_paths(Solution& solution) const {
-  for (Configuration& configuration : solution.configurations) {
-    configuration.path_known =
-        configuration.path_known ||
-        solve::slope_error(values_, configuration, column_) < solve::one_digit;
-  }
 }
 
 SnapshotPointer SnapshotSolver::one_at(double parameter, std::size_t number) {
@@ -300,7 +290,7 @@ void SnapshotSolver::count_between_steps() {
 SnapshotPointer SnapshotSolver::at(double parameter) {
   count_between_steps();
   try {
-    return solved(parameter);
+    return solved(parameter, false);
   } catch (const MechanismError& error) {
     // Between steps a formula may have no value.
     auto snapshot = std::make_unique<Snapshot>();

@@ -20,8 +20,9 @@ class SnapshotSolver {
 
   /// The set at a step of the sweep. Throws MechanismError where it cannot be solved in doubles.
   [[nodiscard]] SnapshotPointer at_step(double parameter);
-  /// The set at any value. Where `at_step` would throw, the set is degenerate, with the error as
-  /// its reason. Throws MechanismError after too many calls between two steps.
+  /// The set at any value, without the motions where several meet. Where `at_step` would throw, the
+  /// set is degenerate, with the error as its reason. Throws MechanismError after too many calls
+  /// between two steps.
   [[nodiscard]] SnapshotPointer at(double parameter);
   /// The set of one configuration: the one with a number, or for zero the one nearest to the
   /// reference. The set is empty if there is none. Throws as `at_step` does.
@@ -33,19 +34,6 @@ class SnapshotSolver {
   /// From now on, angles that laws read are counted by whole turns from those of a set. Sets that
   /// `at_step` and `at` solve are counted from the last step, or from nearer sets between.
   void count_from(const SnapshotPointer& set) { counted_.count_from(set); }
-  /// While it lives, sets can be followed even if their slopes are known only from all constraints
-  /// together, not group by group. That takes longer, and crossings are located less precisely.
-  class CloseLook {
-   public:
-    explicit CloseLook(SnapshotSolver& solver) : solver_(solver) { solver_.closely_ = true; }
-    CloseLook(const CloseLook&) = delete;
-    CloseLook& operator=(const CloseLook&) = delete;
-    ~CloseLook() { solver_.closely_ = false; }
-
-   private:
-    SnapshotSolver& solver_;
-  };
-  [[nodiscard]] bool looks_closely() const { return closely_; }
   /// Resets the count of calls between two steps; `at_step` does so, too.
   void begin_step() { between_steps_ = 0; }
   /// The mechanism's values at a value of the swept parameter. They change with the next call.
@@ -72,8 +60,8 @@ class SnapshotSolver {
   /// The largest speed at which the parameter moves features on their own links, and at which
   /// drivers move one link on another, in units of the points.
   [[nodiscard]] double speed_on_links(double parameter);
-  [[nodiscard]] SnapshotPointer solved(double parameter);
-  [[nodiscard]] SnapshotPointer solved_here(double parameter);
+  [[nodiscard]] SnapshotPointer solved(double parameter, bool finds_motions);
+  [[nodiscard]] SnapshotPointer solved_here(double parameter, bool finds_motions);
   /// Whether a set has fewer configurations than one beside it, because it has families that the
   /// other lacks, or because several configurations of the mechanism without its redundant
   /// constraints meet in one that all constraints determine.
@@ -85,9 +73,6 @@ class SnapshotSolver {
   [[nodiscard]] std::unique_ptr<Snapshot> spare() const;
   /// The snapshot with its configurations' points, and with whether these can be told apart.
   [[nodiscard]] std::shared_ptr<Snapshot> completed(std::unique_ptr<Snapshot> snapshot) const;
-  /// Marks the configurations of a solution at the present values whose paths are known from all
-  /// constraints together.
-  void mark_known_paths(Solution& solution) const;
   void find_point(const Configuration& configuration, ConfigurationPoint& point) const;
 
   const Plan& plan_;
@@ -108,7 +93,6 @@ class SnapshotSolver {
   bool is_count_ambiguous_ = false;  ///< in the last set, too
   std::size_t families_ = 0;         ///< in the last set, or in one beside it that has fewer
   int between_steps_ = 0;            ///< how many sets were asked for since the last step
-  bool closely_ = false;
 };
 
 }  // namespace assur::mechanism::follow

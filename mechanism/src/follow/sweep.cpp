@@ -113,10 +113,6 @@ class Sweeper {
         nearest_followable_set(solver_, tracker_.current(), {step, set, -1});
     const SnapshotPointer after =
         nearest_followable_set(solver_, tracker_.current(), {step, set, 1});
-    if ((!before || !after) && !solver_.looks_closely()) {
-      look_closely_beside(step, set);
-      return;
-    }
     if (before && tracker_.running()) {
       advance(before);
     } else if (before) {
@@ -171,17 +167,6 @@ class Sweeper {
       add_unresolved(step, value, rows);
     }
     report(step, *set, rows);
-  }
-
-  /// Handles a step that has no set beside it, with a closer look at both.
-  void look_closely_beside(int step, const SnapshotPointer& set) {
-    const SnapshotSolver::CloseLook look(solver_);
-    if (const SnapshotPointer closely = solver_.at(set->parameter); closely->separable) {
-      unfollowed_.reset();
-      pass(step, closely);
-    } else {
-      pass_beside(step, set);
-    }
   }
 
   /// Adds an unresolved event where no set can be followed beyond the first or last step, for the

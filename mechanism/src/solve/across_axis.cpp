@@ -44,27 +44,4 @@ AcrossColumns across_columns(const GroupModel& model, const models::FlatVariable
   return result;
 }
 
-void expand(const GroupModel& model, const models::FlatSeries& d, const models::FlatSeries& u,
-            const models::FlatSeries& q, const std::vector<AcrossOnTheMove>& across,
-            models::MovingGroup& moving) {
-  model.kernel->expand(d, u, q, moving);
-  for (const AcrossOnTheMove& one : across) {
-    const models::FlatSeries square = turned_square(q, one.angle);
-    models::FlatSeries part = d;
-    models::MovingGroup with;
-    part[one.dimension] = one.way;
-    model.kernel->expand(part, u, square, with);
-    models::MovingGroup without;
-    part[one.dimension] = 0;
-    model.kernel->expand(part, u, square, without);
-    for (std::size_t row = 0; row < moving.closures.size(); ++row) {
-      moving.closures[row] = moving.closures[row] + with.closures[row] - without.closures[row];
-    }
-    for (std::size_t link = 0; link < moving.poses.size(); ++link) {
-      moving.poses[link].x = moving.poses[link].x + with.poses[link].x - without.poses[link].x;
-      moving.poses[link].y = moving.poses[link].y + with.poses[link].y - without.poses[link].y;
-    }
-  }
-}
-
 }  // namespace assur::mechanism::solve

@@ -1,6 +1,5 @@
 #include "all_constraints.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <assur/directions.hpp>
 #include <assur/support/redundant.hpp>
@@ -20,6 +19,42 @@ Table<LinkIndex, Pose<double>> poses_of(const Table<LinkIndex, Frame>& links) {
   return poses;
 }
 
+namespace {
+
+/// The same constraints of a pin of several links, as pairs with the link that is placed first, so
+/// that the rows of a group hold its unknowns and those of groups before it only.
+void pair_with_first_placed(const Mechanism& mechanism,
+                            const Table<LinkIndex, std::size_t>& groups_before,
+                            std::vector<HeldPair>& pairs) {
+  const auto place_of = [&](FeatureIndex feature) {
+    return groups_before[mechanism.features()[feature].link];
+  };
+  const auto is_pin = [](const HeldPair& pair) {
+    return pair.holds == std::array{true, true, false} && !pair.driver.exists();
+  };
+  for (auto pair = pairs.begin(); pair != pairs.end();) {
+    const auto end = std::find_if(pair, pairs.end(), [&](const HeldPair& other) {
+      return other.first != pair->first || !is_pin(other);
+    });
+    if (end == pair) {
+      ++pair;
+      continue;
+    }
+    const auto earliest =
+        std::min_element(pair, end, [&](const HeldPair& one, const HeldPair& other) {
+          return place_of(one.second) < place_of(other.second);
+        });
+    if (place_of(earliest->second) < place_of(earliest->first)) {
+      const FeatureIndex centre = earliest->second;
+      earliest->second = earliest->first;
+      std::for_each(pair, end, [&](HeldPair& own) { own.first = centre; });
+    }
+    pair = end;
+  }
+}
+
+}  // namespace
+
 AllConstraints::AllConstraints(const Values& values)
     : AllConstraints(values, values.plan().redundant) {}
 
@@ -29,6 +64,7 @@ AllConstraints::AllConstraints(const Values& values, const std::vector<Redundant
       pairs_(held_pairs(mechanism_, left_out)),
       column_of_(mechanism_.links().size(), -1),
       body_({}, 0) {
+  pair_with_first_placed(mechanism_, values.plan().structure.groups_before(), pairs_);
   for (const HeldPair& pair : pairs_) {
     for (const FeatureIndex feature : {pair.first, pair.second}) {
       const LinkIndex link = mechanism_.features()[feature].link;
@@ -82,6 +118,32 @@ Eigen::VectorXd AllConstraints::misses(const Poses& links) const {
 
 Eigen::MatrixXd AllConstraints::jacobian(const Poses& links) const {
   return body_.jacobian(moving_poses(links));
+}
+
+AllConstraints::Blocks AllConstraints::blocks() const {
+  const Table<LinkIndex, std::size_t> groups_before = values_.plan().structure.groups_before();
+  Blocks result;
+  for (const LinkIndex link : moving_) {
+    result.of_unknowns.insert(result.of_unknowns.end(), 3, groups_before[link]);
+  }
+  body_.for_each_row([&](int /*row*/, int /*coordinate*/, std::size_t index) {
+    const HeldPair& pair = pairs_[index];
+    result.of_rows.push_back(std::max(groups_before[mechanism_.features()[pair.first].link],
+                                      groups_before[mechanism_.features()[pair.second].link]));
+  });
+  return result;
+}
+
+Eigen::VectorXd AllConstraints::along_laws(Eigen::Index parameter) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(body_.rows());
+  body_.for_each_row([&](int row, int coordinate, std::size_t index) {
+    const HeldPair& pair = pairs_[index];
+    if (pair.driver.exists() && pair.driven == coordinate) {
+      const Eigen::VectorXd& follows = values_.motion(pair.driver).position.derivatives();
+      result(row) = follows.size() > 0 ? -follows(parameter) / unit(coordinate) : 0;
+    }
+  });
+  return result;
 }
 
 void AllConstraints::move(const Eigen::VectorXd& step, Poses& links) const {
@@ -142,29 +204,6 @@ Eigen::MatrixXd AllConstraints::second_rates(const Links& links) const {
     result.row(row) /= unit(coordinate);
   });
   return result;
-}
-
-bool AllConstraints::allow_velocities(Links links) const {
-  constexpr double least_firmness = 1e-6;
-  constexpr double rounding_of_rates = 1e-6;
-  constexpr double rounding_of_second_rates = 1e-5;
-  double fastest = 0;
-  for (Frame& link : links) {
-    link.acceleration.setZero();
-    link.follows.set_zero(std::ssize(values_.columns()), values_.second_order());
-    fastest =
-        std::max({fastest, link.velocity.head<2>().norm() / size(), std::abs(link.velocity(2))});
-  }
-  if (first_rates(links).col(0).norm() > rounding_of_rates * fastest) {
-    return false;
-  }
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors;
-  factors.setThreshold(least_firmness);
-  const Eigen::MatrixXd own = jacobian(poses_of(links));
-  factors.compute(own);
-  const Eigen::VectorXd open = second_rates(links).col(0);
-  const double left = (open - own * factors.solve(open)).norm();
-  return !(left > rounding_of_second_rates * (open.norm() + fastest * fastest));
 }
 
 Eigen::VectorXd AllConstraints::unknown_rates(const Links& links, Eigen::Index parameter) const {

@@ -20,6 +20,11 @@ class AllConstraints {
   using Links = Table<LinkIndex, Frame>;
   using Poses = Table<LinkIndex, Pose<double>>;
 
+  /// How many groups are placed before the link of an unknown, or before both links of a row.
+  struct Blocks {
+    std::vector<std::size_t> of_unknowns, of_rows;
+  };
+
   using Body = local::BodyConstraints<Eigen::Dynamic, Eigen::Dynamic,
                                       std::vector<local::HeldFeatures<double>>>;
 
@@ -42,6 +47,9 @@ class AllConstraints {
   void place(const Body::Poses& moved, Poses& links) const;
 
   [[nodiscard]] Eigen::Index unknowns() const { return 3 * std::ssize(moving_); }
+  /// The joints as pairs of features, in the order of the rows of f.
+  [[nodiscard]] const std::vector<HeldPair>& pairs() const { return pairs_; }
+  [[nodiscard]] Blocks blocks() const;
   /// The links that q moves, and the first of the three rows of such a link.
   [[nodiscard]] const std::vector<LinkIndex>& moving() const { return moving_; }
   [[nodiscard]] Eigen::Index column_of(LinkIndex link) const { return column_of_[link]; }
@@ -49,6 +57,8 @@ class AllConstraints {
   [[nodiscard]] Eigen::VectorXd misses(const Poses& links) const;
   /// The derivative of f with respect to q.
   [[nodiscard]] Eigen::MatrixXd jacobian(const Poses& links) const;
+  /// The derivative of f with respect to a parameter that moves drivers alone.
+  [[nodiscard]] Eigen::VectorXd along_laws(Eigen::Index parameter) const;
   /// Moves the links by a step of q.
   void move(const Eigen::VectorXd& step, Poses& links) const;
   /// The step of q from some links to others nearby.
@@ -64,11 +74,6 @@ class AllConstraints {
   /// Adds rates and derivatives of q, in the same columns, to those of the links.
   void add_first(const Eigen::MatrixXd& rates, Links& links) const;
   void add_second(const Eigen::MatrixXd& rates, Links& links) const;
-
-  /// Whether the constraints allow the velocities v of the links: all of them hold to first order
-  /// and, with some accelerations a, to second order, J a + f''(v, v) = 0. Directions of J below
-  /// its rounding cannot provide a.
-  [[nodiscard]] bool allow_velocities(Links links) const;
 
  private:
   [[nodiscard]] Body::Pairs held() const;

@@ -8,15 +8,14 @@
 #include <optional>
 
 #include "all_constraints.hpp"
-#include "along_parameter.hpp"
 #include "branch_order.hpp"
-#include "branch_walk.hpp"
+#include "group_by_group.hpp"
+#include "motions_through.hpp"
 #include "moved_by_parameter.hpp"
 #include "moving_laws.hpp"
 #include "plan/plan_data.hpp"
 #include "precision.hpp"
-#include "redundant_joints.hpp"
-#include "settled_redundancy.hpp"
+#include "relative_frames.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -31,39 +30,32 @@ void forget_accelerations(const PlanData& plan, Configuration& configuration) {
   configuration.rates_known = true;
 }
 
-/// The motions of the drivers. A law that reads links is evaluated once these move.
-Motions in_time(const Values& values) {
+/// How far each driver moves from where it is, as a series in time. A law that reads links is
+/// evaluated once these move.
+Table<DriverIndex, models::Series> moving_drivers(const Values& values) {
   const PlanData& plan = values.plan();
-  Motions motions{{}, true};
-  motions.drivers.resize(plan.mechanism.drivers().size());
+  Table<DriverIndex, models::Series> motions;
+  motions.resize(plan.mechanism.drivers().size());
   const auto coordinate = [&](JointIndex joint) {
     const DriverIndex other = plan.mechanism.driver_of(joint);
-    models::Series moving = motions.drivers[other];
+    models::Series moving = motions[other];
     moving.c[0] = values.motion(other).position.value();
     return moving;
   };
   for (const DriverIndex driver : plan.evaluation.drivers) {
     if (!plan.evaluation.reads_links[driver]) {
-      motions.drivers[driver] = moving_law(values, driver, coordinate);
-      motions.drivers[driver].c[0] = 0;
+      motions[driver] = moving_law(values, driver, coordinate);
+      motions[driver].c[0] = 0;
     }
   }
   return motions;
 }
 
-/// The motions of the drivers along a parameter. Where motions meet, their first rates depend on
-/// the second rates of the laws, so these are included. Of a law that reads links, only the first
-/// rate is known.
-Motions along_parameter(const Values& values, ParameterIndex parameter, Eigen::Index column) {
-  const AlongParameter along(values, parameter);
-  Motions motions{along.laws(), false};
-  for (const DriverIndex driver : motions.drivers.keys()) {
-    models::Series& motion = motions.drivers[driver];
-    const Eigen::VectorXd& follows = values.motion(driver).position.derivatives();
-    motion.c[0] = 0;
-    motion.c[1] = follows.size() > 0 ? follows(column) : 0;
-  }
-  return motions;
+/// The constraints that the plan leaves out, of which those that need to hold only within a
+/// tolerance determine no motion.
+std::vector<RedundantJoint> determining(const PlanData& plan) {
+  return plan.request.redundancy_tolerance.exists() ? std::vector<RedundantJoint>()
+                                                    : plan.redundant;
 }
 
 /// Whether a law reads links of a group whose rates are not known.
@@ -74,31 +66,41 @@ bool reads_unknown(const Values& values, const PlacedLinks& placed) {
   });
 }
 
-/// Takes the derivatives with respect to a parameter from a motion along it.
-void take_derivatives(const Configuration& motion, Eigen::Index column,
-                      Configuration& configuration) {
-  const auto take = [column](const auto& from, auto& to) {
-    to.follows.first.col(column) << from.velocity;
-  };
-  for (const LinkIndex link : configuration.links.keys()) {
-    take(motion.links[link], configuration.links[link]);
+/// A configuration as it moves: what groups place gets the rates of the motion.
+Configuration moving_along(const MovingConstraints& F, const Motion& motion,
+                           const Configuration& at) {
+  Configuration result = at;
+  const Mechanism& mechanism = at.plan->mechanism;
+  const MovingConstraints::Links links = F.links(motion.parts);
+  const Table<LinkIndex, bool> is_driven = at.plan->structure.placed_by_drivers();
+  for (const LinkIndex link : mechanism.links().keys()) {
+    if (!is_driven[link]) {
+      const Pose<models::Series>& pose = links[link];
+      result.links[link].velocity << pose.x.rate(), pose.y.rate(), turning_rate(pose.direction);
+      result.links[link].acceleration << pose.x.second_rate(), pose.y.second_rate(),
+          second_turning_rate(pose.direction);
+    }
   }
-  for (const OutputIndex output : configuration.outputs.keys()) {
-    take(motion.outputs[output], configuration.outputs[output]);
+  for (const OutputIndex output : mechanism.outputs().keys()) {
+    const FeatureIndex point = mechanism.outputs()[output].point;
+    if (!is_driven[mechanism.features()[point].link]) {
+      const Pose<models::Series> place = F.placed(point, links);
+      result.outputs[output].velocity << place.x.rate(), place.y.rate();
+      result.outputs[output].acceleration << place.x.second_rate(), place.y.second_rate();
+    }
   }
-  for (std::size_t slide = 0; slide < configuration.slides.size(); ++slide) {
-    configuration.slides[slide].follows.first(column) = motion.slides[slide].velocity;
+  for (SlideState& slide : result.slides) {
+    if (!mechanism.driver_of(slide.joint).exists()) {
+      const models::Series moved = F.coordinate(slide.joint, links);
+      slide.velocity = moved.rate();
+      slide.acceleration = moved.second_rate();
+    }
   }
-}
-
-/// Whether the constraints that the plan leaves out allow a motion of the rest of the mechanism.
-bool is_motion_of_all(const Values& values, const Configuration& motion) {
-  if (!SettledRedundancy::can_close(values.plan())) {
-    return moves_redundantly(values, motion.links);
+  result.rates_known = true;
+  if (!motion.is_known_twice) {
+    forget_accelerations(*at.plan, result);
   }
-  AllConstraints constraints(values);
-  constraints.measure(poses_of(motion.links));
-  return constraints.allow_velocities(motion.links);
+  return result;
 }
 
 }  // namespace
@@ -109,24 +111,50 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
   if (!moves_drivers_alone(values, parameter) || reads_unknown(values, placed)) {
     return;
   }
-  const auto found =
-      motions_through(values, placed, configuration, along_parameter(values, parameter, column));
-  if (found && found->size() == 1) {
-    take_derivatives(found->front(), column, configuration);
-    configuration.path_known = true;
+  AllConstraints constraints(values, determining(values.plan()));
+  const AllConstraints::Poses poses = poses_of(configuration.links);
+  constraints.measure(poses);
+  GroupByGroup J;
+  if (!J.factorise(constraints.blocks(), constraints.jacobian(poses),
+                   std::sqrt(constraints.rounding() / one_digit))) {
+    return;
   }
+  const Eigen::VectorXd f = constraints.along_laws(column);
+  const Eigen::VectorXd rates = J.solve(f);
+  // A place that is known to r / s tells J to r / s.
+  constexpr double some = 16;  // what several sums and products make of a rounding
+  if (!(J.left(rates, f).norm() <=
+        some * constraints.rounding() / J.firmness() * std::max(1.0, rates.norm()))) {
+    return;  // redundant constraints do not go on
+  }
+  const Table<LinkIndex, bool> is_driven = values.plan().structure.placed_by_drivers();
+  const AllConstraints::Body::Poses moving = constraints.moving_poses(poses);
+  for (std::size_t place = 0; place < moving.size(); ++place) {
+    const LinkIndex link = constraints.moving()[place];
+    if (!is_driven[link]) {
+      configuration.links[link].follows.first.col(column) =
+          constraints.body().rates_of(static_cast<int>(place), rates, moving);
+    }
+  }
+  for (SlideState& slide : configuration.slides) {
+    if (slide.joint.exists() && !values.plan().mechanism.driver_of(slide.joint).exists()) {
+      slide.follows.first(column) =
+          measured_slide(values, configuration.links, slide.joint).follows.first(column);
+    }
+  }
+  configuration.path_known = true;
 }
 
-void find_branches(const Values& values, const PlacedLinks& placed, Configuration& configuration) {
-  auto known = motions_through(values, placed, configuration, in_time(values));
+void find_branches(const Values& values, Configuration& configuration) {
+  const MovingConstraints F(values, determining(values.plan()), configuration,
+                            moving_drivers(values));
+  const std::optional<std::vector<Motion>> known = motions_through(F);
   if (!known) {
     return;
   }
-  std::vector<Configuration>& found = *known;
-  // A motion that the left-out constraints would stop is not a motion of the mechanism.
-  if (!values.plan().redundant.empty()) {
-    std::erase_if(found,
-                  [&](const Configuration& motion) { return !is_motion_of_all(values, motion); });
+  std::vector<Configuration> found;
+  for (const Motion& motion : *known) {
+    found.push_back(moving_along(F, motion, configuration));
   }
   if (found.size() == 1) {
     configuration = std::move(found.front());

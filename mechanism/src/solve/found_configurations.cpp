@@ -105,7 +105,7 @@ void FoundConfigurations::list_placed(double gap, bool goes_on) {
   Configuration& result = solution_->configurations[listed_++];
   result.is_consistent = is_consistent;
   result.within_limits = keeps;
-  write_configuration(placement_, result);
+  write_configuration(placement_, search_.finds_motions, result);
 }
 
 /// Removes listed configurations that the placed one rules out; false if it is itself ruled out.

@@ -35,7 +35,7 @@ bool are_rates_finite(const Request& request, const Configuration& configuration
 
 }  // namespace
 
-void write_configuration(const Placement& placement, Configuration& result) {
+void write_configuration(const Placement& placement, bool finds_motions, Configuration& result) {
   const PlacedLinks& placed = placement.placed();
   const Values& values = placement.values();
   const Mechanism& mechanism = placement.plan().mechanism;
@@ -52,16 +52,20 @@ void write_configuration(const Placement& placement, Configuration& result) {
     }
   }
   result.counted = placed.counted;
-  result.outputs.resize(mechanism.outputs().size());
-  for (const OutputIndex output : mechanism.outputs().keys()) {
-    const FeatureIndex point = mechanism.outputs()[output].point;
-    carry(placed.links[mechanism.features()[point].link], values.frame(point),
-          result.outputs[output]);
-  }
   result.regularity = placed.regularity;
   result.derivatives_known = placed.derivatives_known;
   result.rates_known = placed.rates_known;
   result.path_known = placed.path_known;
+  const Request& request = placement.plan().request;
+  if (!result.derivatives_known && request.sweep) {
+    find_derivatives(values, placed, request.sweep->parameter, result);
+  }
+  result.outputs.resize(mechanism.outputs().size());
+  for (const OutputIndex output : mechanism.outputs().keys()) {
+    const FeatureIndex point = mechanism.outputs()[output].point;
+    carry(result.links[mechanism.features()[point].link], values.frame(point),
+          result.outputs[output]);
+  }
   result.residual = placed.residual;
   if (!are_rates_finite(placement.plan().request, result)) {
     result.regularity = Status::near_singular;
@@ -69,19 +73,15 @@ void write_configuration(const Placement& placement, Configuration& result) {
   result.branches.clear();
   result.determinants = placed.determinants;
   result.plan = placement.shared_plan();
-  const Request& request = placement.plan().request;
   result.proofs.resize(0);
   for (const GroupIndex group : placement.structure().groups.keys()) {
     if (request.prove) {
       result.proofs.add(placement.solver(group).proof(placed.links));
     }
   }
-  if (!result.rates_known && placed.is_crossing &&
+  if (finds_motions && !result.rates_known && placed.is_crossing &&
       (request.want.velocity || request.want.acceleration || request.want.loaded())) {
-    find_branches(values, placed, result);
-  }
-  if (!result.derivatives_known && request.sweep) {
-    find_derivatives(values, placed, request.sweep->parameter, result);
+    find_branches(values, result);
   }
 }
 

@@ -7,6 +7,6 @@ namespace assur::mechanism::solve {
 
 /// Overwrites all of `result` except for `within_limits` and `is_consistent`, which the caller
 /// decides.
-void write_configuration(const Placement& placement, Configuration& result);
+void write_configuration(const Placement& placement, bool finds_motions, Configuration& result);
 
 }  // namespace assur::mechanism::solve

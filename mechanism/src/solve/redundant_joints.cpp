@@ -9,6 +9,7 @@
 
 #include "group_reasons.hpp"
 #include "plan/plan_data.hpp"
+#include "relative_frames.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -69,19 +70,23 @@ Pair placed(const Values& values, const Table<LinkIndex, Frame>& links, const Re
           std::max(support::largest_coordinate(places), extent.origins)};
 }
 
-/// The fastest rates of the mechanism, against which the rounding of rates is measured: two links
-/// may both be at rest while others move.
+/// The fastest rates and second rates of the mechanism, against which their rounding is measured:
+/// two links may both be at rest while others move.
 struct Fastest {
-  double speed = 0, turning = 0;
+  double speed = 0, speeding_up = 0;
 };
 
 Fastest fastest_of(const Table<LinkIndex, Frame>& links, double size) {
+  double turning = 0;
   Fastest fastest;
   for (const Frame& link : links) {
-    fastest.turning = std::max(fastest.turning, std::abs(link.velocity(2)));
+    turning = std::max(turning, std::abs(link.velocity(2)));
     fastest.speed = std::max(fastest.speed, link.velocity.head<2>().norm());
+    fastest.speeding_up = std::max({fastest.speeding_up, link.acceleration.head<2>().norm(),
+                                    std::abs(link.acceleration(2)) * size});
   }
-  fastest.speed += fastest.turning * size;
+  fastest.speed += turning * size;
+  fastest.speeding_up = std::max(fastest.speeding_up, fastest.speed * turning);
   return fastest;
 }
 
@@ -99,70 +104,30 @@ double gap_of(const Pair& pair) {
                         : support::points_apart(pair.one, pair.other);
 }
 
-/// The part of the fastest first and second rates that may be rounding.
-struct RoundingOfRates {
-  double first, second;
-};
-
-/// The rate, and the second rate, at which the features of a pair move apart.
-struct Rates {
-  double first, second;
-};
-
-/// The rates at which a pair parts. The angle between two lines counts as the length that it spans
-/// over the mechanism's size; a pin parts from a slot across the slot only.
-Rates parting(const Frame& one, const Frame& other, const Pair& pair) {
-  const Eigen::Vector3d rate = other.velocity - one.velocity;
-  const Eigen::Vector3d second_rate = other.acceleration - one.acceleration;
-  if (pair.are_lines) {
-    return {std::abs(rate(2)) * pair.size, std::abs(second_rate(2)) * pair.size};
-  }
-  const Eigen::Vector2d first = rate.head<2>();
-  const Eigen::Vector2d second = second_rate.head<2>();
-  if (!pair.is_line) {
-    return {first.norm(), second.norm()};
-  }
-  const auto& [c, s] = one.pose.direction;
-  const Eigen::Vector2d along(c, s);
-  const Eigen::Vector2d across(-s, c);
-  const Eigen::Vector2d apart(other.pose.x - one.pose.x, other.pose.y - one.pose.y);
-  const double turning = one.velocity(2);
-  return {std::abs(across.dot(first) - turning * along.dot(apart)),
-          std::abs(across.dot(second) - 2 * turning * along.dot(first) -
-                   one.acceleration(2) * along.dot(apart) - turning * turning * across.dot(apart))};
-}
-
-/// Whether the features of a redundant joint stay together, to first and second order. Rates that
-/// are not known do not part them.
+/// Whether the features of a redundant joint stay together, to first order and, where asked, to
+/// second. Rates that are not known do not part them.
 bool stays_together(const Values& values, const Table<LinkIndex, Frame>& links,
-                    const RedundantJoint& joint, const Extent& extent,
-                    const RoundingOfRates& rounding) {
+                    const RedundantJoint& joint, const Extent& extent, bool twice) {
   const auto frame = [&](FeatureIndex feature) {
     return composed(links[values.plan().mechanism.features()[feature].link], values.frame(feature));
   };
-  const Pair pair = placed(values, links, joint, extent);
-  const Rates rates = parting(frame(joint.one), frame(joint.other), pair);
-  const Fastest fastest = fastest_of(links, pair.size);
-  double speeding_up = fastest.speed * fastest.turning;
-  for (const Frame& link : links) {
-    speeding_up = std::max({speeding_up, link.acceleration.head<2>().norm(),
-                            std::abs(link.acceleration(2)) * pair.size});
+  const HeldPair held = held_by(values.plan().mechanism, joint);
+  const Frame at = seen_from(frame(held.first), frame(held.second));
+  const double size = placed(values, links, joint, extent).size;
+  const Fastest fastest = fastest_of(links, size);
+  for (Eigen::Index coordinate = 0; coordinate < 3; ++coordinate) {
+    if (!held.holds[static_cast<std::size_t>(coordinate)]) {
+      continue;
+    }
+    const double unit = coordinate == 2 ? size : 1;
+    if (std::abs(at.velocity(coordinate)) * unit >
+            support::agreement_of_rates<double> * fastest.speed ||
+        (twice && std::abs(at.acceleration(coordinate)) * unit >
+                      support::agreement_of_second_rates<double> * fastest.speeding_up)) {
+      return false;
+    }
   }
-  const double most =
-      rounding.first * (pair.are_lines ? fastest.turning * pair.size : fastest.speed);
-  const bool is_first = !std::isfinite(rates.first) || rates.first <= most;
-  return is_first && !(rates.second > rounding.second * speeding_up);
-}
-
-bool all_stay_together(const Values& values, const Table<LinkIndex, Frame>& links,
-                       const RoundingOfRates& rounding) {
-  if (values.plan().redundant.empty() || values.plan().request.redundancy_tolerance.exists()) {
-    return true;
-  }
-  const Extent extent = extent_of(values, links);
-  return std::ranges::all_of(values.plan().redundant, [&](const RedundantJoint& joint) {
-    return stays_together(values, links, joint, extent, rounding);
-  });
+  return true;
 }
 
 }  // namespace
@@ -215,12 +180,14 @@ bool WatchedRedundancy::may_hold_at(std::size_t groups,
 
 bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
                          Status regularity) {
-  constexpr double anything = std::numeric_limits<double>::infinity();
-  return all_stay_together(values, links, {1e-8, regularity == Status::ok ? 1e-4 : anything});
-}
-
-bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& links) {
-  return all_stay_together(values, links, {1e-6, 1e-6});
+  const PlanData& plan = values.plan();
+  if (plan.redundant.empty() || plan.request.redundancy_tolerance.exists()) {
+    return true;
+  }
+  const Extent extent = extent_of(values, links);
+  return std::ranges::all_of(plan.redundant, [&](const RedundantJoint& joint) {
+    return stays_together(values, links, joint, extent, regularity == Status::ok);
+  });
 }
 
 }  // namespace assur::mechanism::solve

@@ -15,10 +15,6 @@ namespace assur::mechanism::solve {
 [[nodiscard]] bool goes_on_redundantly(const Values& values, const Table<LinkIndex, Frame>& links,
                                        Status regularity);
 
-/// Whether the redundant joints hold along one of several motions through a configuration, to first
-/// and second order: at a change point all motions agree to first order.
-[[nodiscard]] bool moves_redundantly(const Values& values, const Table<LinkIndex, Frame>& links);
-
 /// The distance by which the worst redundant joint fails to close, in the scene's unit; zero where
 /// all close up to rounding or the tolerance that the request states.
 [[nodiscard]] double gap_of_redundant(const Values& values, const Table<LinkIndex, Frame>& links,

@@ -18,6 +18,9 @@ struct Search {
   /// Whether a solution without configurations says by how much the links fail to close, and which
   /// configuration comes nearest to the limits of joints. This takes longer than solving.
   bool measures_gap = false;
+  /// Whether the motions through configurations in which several meet are found. A sweep needs them
+  /// in its rows only.
+  bool finds_motions = true;
 };
 
 struct SoughtAll {};

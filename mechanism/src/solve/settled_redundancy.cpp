@@ -88,10 +88,10 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   }
   const Eigen::MatrixXd rates = -factors.solve(open);
   constraints_.add_first(rates, links);
-  constexpr double rounding_of_rates = 1e-8;
   const Eigen::MatrixXd contradicted = jacobian * rates + open;
   const auto contradicts = [&](Eigen::Index column) {
-    return !(contradicted.col(column).norm() <= rounding_of_rates * open.col(column).norm());
+    return !(contradicted.col(column).norm() <=
+             support::agreement_of_rates<double> * open.col(column).norm());
   };
   const Eigen::MatrixXd open_twice = constraints_.second_rates(links);
   const double second_error = error / firmness;
@@ -104,11 +104,10 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   placed.links = std::move(links);
   placed.regularity =
       is_known_twice && second_error < support::six_digits ? Status::ok : Status::near_singular;
-  constexpr double rounding_of_second_rates = 1e-4;
-  const bool contradicts_twice =
-      placed.regularity == Status::ok &&
-      (jacobian * twice.col(0) + open_twice.col(0)).norm() >
-          rounding_of_second_rates * (open_twice.col(0).norm() + rates.col(0).squaredNorm());
+  const bool contradicts_twice = placed.regularity == Status::ok &&
+                                 (jacobian * twice.col(0) + open_twice.col(0)).norm() >
+                                     support::agreement_of_second_rates<double> *
+                                         (open_twice.col(0).norm() + rates.col(0).squaredNorm());
   goes_on_ = !contradicts(0) && !contradicts_twice;
   placed.rates_known = true;
   placed.derivatives_known = is_known_twice || !values_.second_order();

@@ -71,7 +71,7 @@ void WatchedLimits::keep_nearest(std::optional<NearestToLimits>& nearest) const 
   if (!nearest || square_of(excesses) < square_of(nearest->excesses)) {
     nearest.emplace();
     nearest->excesses = std::move(excesses);
-    write_configuration(placement_, nearest->configuration);
+    write_configuration(placement_, false, nearest->configuration);
     nearest->configuration.within_limits = false;
   }
 }

@@ -69,6 +69,8 @@ class BodyConstraints {
 
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] int columns() const { return columns_; }
+  /// The pivot of a link that moves, on that link.
+  [[nodiscard]] Vector<Scalar, 2> pivot_of(int link) const { return pivots_.col(link); }
   /// The longest distance of a feature from its link's pivot, or of two that a pair holds.
   [[nodiscard]] Scalar size() const { return size_; }
   /// One plus the distance of the mechanism from the origin, in parts of the size.

@@ -66,8 +66,6 @@ class AllConstraints {
   }
 
  private:
-  static constexpr bool is_fine = std::numeric_limits<Scalar>::epsilon() < 1e-12;
-
   [[nodiscard]] static Features features_of(const std::array<HeldPair<Frame>, Pairs>& pairs) {
     Features features;
     for (std::size_t pair = 0; pair < Pairs; ++pair) {
@@ -157,18 +155,18 @@ class AllConstraints {
       link->rates.setZero();
       link->gradient.setZero();
     }
-    constexpr Scalar rounding_of_rates = Scalar(is_fine ? 1e-8 : 1e-3);
+    constexpr auto of_rates = Scalar(agreement_of_rates<Scalar>);
     bool agree = true;
     if constexpr (Order > 0) {
       const auto velocity = [](auto& frame) { return frame.rates.col(0); };
       const Solved first = solve_column(factors, J, velocity, false);
-      agree = !first.contradicts(rounding_of_rates);
+      agree = !first.contradicts(of_rates);
       if constexpr (Order > 1) {
-        constexpr Scalar rounding_of_second_rates = Scalar(is_fine ? 1e-4 : 1e-2);
         const auto acceleration = [](auto& frame) { return frame.rates.col(1); };
         const Solved second = solve_column(factors, J, acceleration, true);
         agree = agree && (regularity != Status::ok ||
-                          !second.contradicts(rounding_of_second_rates, first.rates * first.rates));
+                          !second.contradicts(Scalar(agreement_of_second_rates<Scalar>),
+                                              first.rates * first.rates));
         for (Frame* link : links_) {
           if (!is_known_twice) {
             link->rates.col(1).setConstant(std::numeric_limits<Scalar>::quiet_NaN());
@@ -180,7 +178,7 @@ class AllConstraints {
       for (int parameter = 0; parameter < Parameters; ++parameter) {
         const auto gradient = [parameter](auto& frame) { return frame.gradient.col(parameter); };
         // A gradient is not known where constraints without the parameter contradict it.
-        if (solve_column(factors, J, gradient, false).contradicts(rounding_of_rates)) {
+        if (solve_column(factors, J, gradient, false).contradicts(of_rates)) {
           for (Frame* link : links_) {
             gradient(*link).setConstant(std::numeric_limits<Scalar>::quiet_NaN());
           }

@@ -40,6 +40,16 @@ template <typename Scalar>
   return (regularity == Status::ok ? where_regular : where_singular) * size;
 }
 
+/// The parts of rates, and of second rates, by which redundant constraints may contradict others
+/// for rounding.
+template <typename Scalar>
+inline constexpr double agreement_of_rates = std::numeric_limits<Scalar>::epsilon() < 1e-12 ? 1e-8
+                                                                                            : 1e-3;
+template <typename Scalar>
+inline constexpr double agreement_of_second_rates = std::numeric_limits<Scalar>::epsilon() < 1e-12
+                                                        ? 1e-4
+                                                        : 1e-2;
+
 /// The distance of two points, of which each is a frame's origin.
 template <typename Scalar>
 [[nodiscard]] Scalar points_apart(const Pose<Scalar>& one, const Pose<Scalar>& other) {
