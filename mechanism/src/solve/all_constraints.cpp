@@ -93,6 +93,29 @@ AllConstraints::Body::Pairs AllConstraints::held() const {
   return held;
 }
 
+AllConstraints::Body AllConstraints::of_loose(const Table<LinkIndex, bool>& is_placed,
+                                              const Poses& links) const {
+  std::vector<int> places;  // of the links that move; -1 for those that are placed
+  int loose = 0;
+  for (const LinkIndex link : moving_) {
+    places.push_back(is_placed[link] ? -1 : loose++);
+  }
+  Body::Pairs pairs = held();
+  const auto loosen = [&](int& place, Pose<double>& feature) {
+    if (place >= 0) {
+      const auto link = static_cast<std::size_t>(place);
+      place = places[link];
+      feature = place < 0 ? support::pose_in(links[moving_[link]], feature) : feature;
+    }
+  };
+  for (Body::Pair& pair : pairs) {
+    loosen(pair.first, pair.one);
+    loosen(pair.second, pair.other);
+  }
+  std::erase_if(pairs, [](const Body::Pair& pair) { return pair.first < 0 && pair.second < 0; });
+  return {std::move(pairs), loose};
+}
+
 AllConstraints::Body::Poses AllConstraints::moving_poses(const Poses& links) const {
   Body::Poses poses;
   for (const LinkIndex link : moving_) {

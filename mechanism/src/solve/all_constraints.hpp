@@ -42,6 +42,9 @@ class AllConstraints {
   [[nodiscard]] double size() const { return body_.size(); }
   [[nodiscard]] double reach() const { return body_.reach(); }
   [[nodiscard]] double rounding() const { return body_.rounding(); }
+  /// The constraints at the present values of the links that are not placed, where the others stand
+  /// still.
+  [[nodiscard]] Body of_loose(const Table<LinkIndex, bool>& is_placed, const Poses& links) const;
   /// Where the links that move stand, by their places in q.
   [[nodiscard]] Body::Poses moving_poses(const Poses& links) const;
   void place(const Body::Poses& moved, Poses& links) const;

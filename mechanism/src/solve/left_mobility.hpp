@@ -1,4 +1,4 @@
-// Turns a family, found without the redundant constraints, into the mobility that they leave it.
+// The mobility that redundant constraints leave a family which was found without them.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -11,6 +11,6 @@ namespace assur::mechanism::solve {
 /// own. The links that the family does not place are moved, from many starting positions, until all
 /// constraints hold, and from there a motion is followed. Zero means that no motion was found, even
 /// if single positions of the family remain.
-[[nodiscard]] int left_mobility(const Family& family, AllConstraints& constraints);
+[[nodiscard]] int left_mobility(const Family& family, const AllConstraints& constraints);
 
 }  // namespace assur::mechanism::solve

@@ -39,7 +39,7 @@ bool are_left(std::vector<Family>& families, const Values& values) {
   if (!SettledRedundancy::can_close(values.plan())) {
     return false;
   }
-  AllConstraints constraints(values);
+  const AllConstraints constraints(values);
   return std::ranges::all_of(families, [&](Family& family) {
     family.mobility = family.mobility > 0 ? left_mobility(family, constraints) : 0;
     return family.mobility > 0;
@@ -49,7 +49,7 @@ bool are_left(std::vector<Family>& families, const Values& values) {
 /// Sets the mobilities of families to what all constraints leave of them, with a reason where no
 /// motion is found.
 void tell_what_is_left(std::vector<Family>& families, const Values& values) {
-  AllConstraints constraints(values);
+  const AllConstraints constraints(values);
   for (Family& family : families) {
     if (family.mobility > 0) {
       family.mobility = left_mobility(family, constraints);
