@@ -105,25 +105,33 @@ class MotionSearch {
     }
     if (N_.cols() == 0) {
       add_only_motion();
-    } else if (noise_ < 1 && has_levels()) {
-      find_tangent_cone();
-      descend(0, {});
+    } else if (noise_ < 1) {
+      add_motions_of_cone();
     }
-    return is_told_ ? std::move(found_) : std::vector<Motion>();
+    return std::move(found_);
   }
 
  private:
-  /// Equations of one level of the cone, and how many unknowns they decide.
+  /// The equations of one group, and how many unknowns they decide.
   struct Level {
     std::vector<Eigen::Index> equations;
     Eigen::Index unknowns = 0;
   };
 
-  /// The first unknowns c of a direction of the cone.
-  struct Tangent {
-    Eigen::VectorXd c;
+  /// Quadratic equations W' f(N x) = 0 in levels, each of which has the unknowns of those before
+  /// and its own.
+  struct Cone {
+    Eigen::MatrixXd N, W;
+    double noise;  ///< of the coefficients
+    std::vector<Level> levels = {};
+    QuadraticEquations equations = {};
+  };
+
+  /// The first unknowns of a root of a cone.
+  struct Root {
+    Eigen::VectorXd x;
     Eigen::VectorXd error;
-    bool is_simple = true;  ///< whether all are
+    bool is_simple = true;  ///< in all levels
   };
 
   /// Finds the place, the kernels, and the rounding of the coefficients that follow.
@@ -206,16 +214,17 @@ class MotionSearch {
     add(start_, rank_ > 0 ? shortest(f) : group_by_group_.solve(f), is_known_twice);
   }
 
-  /// Pairs the unknowns of each group with its equations. False where some unknowns have none.
-  [[nodiscard]] bool has_levels() {
+  /// Brings N and W to echelon form and pairs the unknowns of each group with its equations. False
+  /// where some unknowns have none.
+  [[nodiscard]] bool find_levels(Cone& cone) const {
     const std::set<std::size_t> blocks(F_.blocks().of_rows.begin(), F_.blocks().of_rows.end());
     std::set<std::size_t> all(F_.blocks().of_unknowns.begin(), F_.blocks().of_unknowns.end());
     all.insert(blocks.begin(), blocks.end());
     const std::vector<std::size_t> of_unknowns =
-        bring_to_echelon_form(F_.blocks().of_unknowns, all, N_);
+        bring_to_echelon_form(F_.blocks().of_unknowns, all, cone.N);
     const std::set<std::size_t, std::greater<>> from_last(blocks.begin(), blocks.end());
     const std::vector<std::size_t> of_equations =
-        bring_to_echelon_form(F_.blocks().of_rows, from_last, W_);
+        bring_to_echelon_form(F_.blocks().of_rows, from_last, cone.W);
     Level level;
     for (const std::size_t block : all) {
       level.unknowns += std::ranges::count(of_unknowns, block);
@@ -225,20 +234,27 @@ class MotionSearch {
         }
       }
       if (std::ssize(level.equations) >= level.unknowns && !level.equations.empty()) {
-        levels_.push_back(level);
+        cone.levels.push_back(level);
         level = {};
       }
     }
-    return level.unknowns == 0 && std::ssize(of_unknowns) == N_.cols();
+    return level.unknowns == 0 && std::ssize(of_unknowns) == cone.N.cols();
   }
 
-  /// W' f_2 as quadratic polynomials of c.
-  void find_tangent_cone() {
-    cone_ = interpolated(N_.cols(), [this](const Eigen::VectorXd& c) {
-      Parts parts = start_;
-      parts.col(1) += N_ * c;
-      return Eigen::VectorXd(W_.transpose() * F_.coefficient(2, parts));
+  /// The roots of a cone whose equations are W' `function`(N x), to two digits; nothing where these
+  /// are not known.
+  template <typename Function>
+  [[nodiscard]] std::optional<std::vector<Root>> roots_of(Cone& cone,
+                                                          const Function& function) const {
+    if (!find_levels(cone)) {
+      return std::nullopt;
+    }
+    cone.equations = interpolated(cone.N.cols(), [&](const Eigen::VectorXd& x) {
+      return Eigen::VectorXd(cone.W.transpose() * function(cone.N * x));
     });
+    std::vector<Root> roots;
+    const bool is_known = cone.equations.constant.allFinite() && descend(cone, 0, {}, roots);
+    return is_known ? std::optional(std::move(roots)) : std::nullopt;
   }
 
   /// The quadratic polynomials that a function is.
@@ -278,50 +294,44 @@ class MotionSearch {
     return result;
   }
 
-  /// Solves the levels of the cone from one on, where `before` has the unknowns of those before.
-  void descend(std::size_t depth, const Tangent& before) {
-    if (depth == levels_.size()) {
-      add_motions(before);
-      return;
+  /// Solves the levels of a cone from one on, where `before` has the unknowns of those before.
+  /// False where some roots are not known to two digits.
+  [[nodiscard]] static bool descend(const Cone& cone, std::size_t depth, const Root& before,
+                                    std::vector<Root>& roots) {
+    if (depth == cone.levels.size()) {
+      roots.push_back(before);
+      return true;
     }
-    const Level& level = levels_[depth];
-    const QuadraticEquations here = cone_.of(level.equations, before.c, level.unknowns);
+    const Level& level = cone.levels[depth];
+    const QuadraticEquations here = cone.equations.of(level.equations, before.x, level.unknowns);
     if (level.unknowns == 0) {
-      if (here.constant.norm() <= agreement * std::max(1.0, before.c.squaredNorm())) {
-        descend(depth + 1, before);
-      }
-      return;
+      return here.constant.norm() > agreement * std::max(1.0, before.x.squaredNorm()) ||
+             descend(cone, depth + 1, before, roots);
     }
-    const auto roots = common_roots(here, noise_);
-    if (!roots) {
-      is_told_ = false;
-      return;
-    }
-    for (const Eigen::VectorXd& root : *roots) {
-      const Tangent longer = lengthened(before, level, here, root);
-      const double size = N_.middleCols(before.c.size(), root.size()).norm();
-      const double error = longer.error.tail(root.size()).maxCoeff() * size;
-      if (!(error < two_digits_lost * std::max(1.0, root.norm() * size))) {
-        is_told_ = false;
-        return;
-      }
-      descend(depth + 1, longer);
-    }
+    const auto own = common_roots(here, cone.noise);
+    return own && std::ranges::all_of(*own, [&](const Eigen::VectorXd& root) {
+             const Root longer = lengthened(cone, before, level, here, root);
+             const double size = cone.N.middleCols(before.x.size(), root.size()).norm();
+             const double error = longer.error.tail(root.size()).maxCoeff() * size;
+             return error < two_digits_lost * std::max(1.0, root.norm() * size) &&
+                    descend(cone, depth + 1, longer, roots);
+           });
   }
 
-  /// A tangent with a root of a level's equations.
-  [[nodiscard]] Tangent lengthened(const Tangent& before, const Level& level,
-                                   const QuadraticEquations& here,
-                                   const Eigen::VectorXd& root) const {
-    const Eigen::Index known = before.c.size();
+  /// A root of the levels before with one of a level's equations.
+  [[nodiscard]] static Root lengthened(const Cone& cone, const Root& before, const Level& level,
+                                       const QuadraticEquations& here,
+                                       const Eigen::VectorXd& root) {
+    const Eigen::Index known = before.x.size();
     const Eigen::Index count = known + root.size();
-    Tangent result{Eigen::VectorXd(count), Eigen::VectorXd(count)};
-    result.c << before.c, root;
-    Eigen::VectorXd all = Eigen::VectorXd::Zero(N_.cols());
-    all.head(count) = result.c;
-    const Eigen::MatrixXd by_known = cone_.derivative(all)(level.equations, Eigen::seqN(0, known));
-    const double reach = std::max(1.0, (N_ * all).norm());
-    const double open = noise_ * reach * reach + (by_known.cwiseAbs() * before.error).norm();
+    Root result{Eigen::VectorXd(count), Eigen::VectorXd(count)};
+    result.x << before.x, root;
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(cone.N.cols());
+    all.head(count) = result.x;
+    const Eigen::MatrixXd by_known =
+        cone.equations.derivative(all)(level.equations, Eigen::seqN(0, known));
+    const double reach = std::max(1.0, (cone.N * all).norm());
+    const double open = cone.noise * reach * reach + (by_known.cwiseAbs() * before.error).norm();
     const Eigen::VectorXd slopes =
         Eigen::JacobiSVD<Eigen::MatrixXd>(here.derivative(root)).singularValues();
     const double slope = slopes(slopes.size() - 1);
@@ -337,11 +347,25 @@ class MotionSearch {
     return result;
   }
 
+  /// Adds the motions along the tangents at which W' f_2 vanishes.
+  void add_motions_of_cone() {
+    Cone cone{N_, W_, noise_};
+    const auto tangents = roots_of(cone, [this](const Eigen::VectorXd& by) {
+      Parts parts = start_;
+      parts.col(1) += by;
+      return F_.coefficient(2, parts);
+    });
+    if (tangents) {
+      for (const Root& tangent : *tangents) {
+        add_motions(cone, tangent);
+      }
+    }
+  }
+
   /// Adds the motions with a tangent of the cone.
-  void add_motions(const Tangent& tangent) {
-    const Eigen::VectorXd& c = tangent.c;
+  void add_motions(const Cone& cone, const Root& tangent) {
     Parts parts = start_;
-    parts.col(1) += N_ * c;
+    parts.col(1) += cone.N * tangent.x;
     const Eigen::VectorXd second = shortest(F_.coefficient(2, parts));
     parts.col(2) = second;
     const Eigen::VectorXd f = F_.coefficient(3, parts);
@@ -349,21 +373,22 @@ class MotionSearch {
       add(parts, second, false);
       return;
     }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> M(cone_.derivative(c),
+    const Eigen::JacobiSVD<Eigen::MatrixXd> M(cone.equations.derivative(tangent.x),
                                               Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const double least = std::sqrt(noise_) * std::max(1.0, M.singularValues()(0));
+    const Eigen::Index unknowns = cone.N.cols();
+    const double least = std::sqrt(cone.noise) * std::max(1.0, M.singularValues()(0));
     const auto is_firm = [least](double value) { return value > least; };
     const Eigen::Index rank =
-        tangent.is_simple ? N_.cols() : std::ranges::count_if(M.singularValues(), is_firm);
-    const Eigen::VectorXd open = W_.transpose() * f;
+        tangent.is_simple ? unknowns : std::ranges::count_if(M.singularValues(), is_firm);
+    const Eigen::VectorXd open = cone.W.transpose() * f;
     const Eigen::VectorXd part =
         -M.matrixV().leftCols(rank) * (M.matrixU().leftCols(rank).transpose() * open)
                                           .cwiseQuotient(M.singularValues().head(rank));
     const Eigen::MatrixXd unreached = M.matrixU().rightCols(open.size() - rank);
     const bool goes_on = (unreached.transpose() * open).norm() <= agreement * (1 + f.norm());
-    if (rank == N_.cols()) {
+    if (rank == unknowns) {
       if (goes_on) {
-        add(parts, second + N_ * part, true);
+        add(parts, second + cone.N * part, true);
       }
       return;
     }
@@ -371,21 +396,21 @@ class MotionSearch {
       add(parts, second, false);
       return;
     }
-    const Eigen::MatrixXd free = M.matrixV().rightCols(N_.cols() - rank);
-    const QuadraticEquations next = interpolated(free.cols(), [&](const Eigen::VectorXd& b) {
+    // Tangents at which several of them coincide are known to the square root of rounding.
+    Cone next{cone.N * M.matrixV().rightCols(unknowns - rank), cone.W * unreached,
+              std::max(std::sqrt(cone.noise), tangent.error.maxCoeff())};
+    const auto roots = roots_of(next, [&](const Eigen::VectorXd& by) {
       Parts moved = parts;
-      moved.col(2) = second + N_ * (part + free * b);
+      moved.col(2) = second + cone.N * part + by;
       moved.col(3) = shortest(F_.coefficient(3, moved));
-      return Eigen::VectorXd(unreached.transpose() * W_.transpose() * F_.coefficient(4, moved));
+      return F_.coefficient(4, moved);
     });
-    const auto roots =
-        next.constant.allFinite() ? common_roots(next, std::sqrt(noise_)) : std::nullopt;
     if (!roots) {
       add(parts, second, false);
       return;
     }
-    for (const Eigen::VectorXd& b : *roots) {
-      add(parts, second + N_ * (part + free * b), true);
+    for (const Root& root : *roots) {
+      add(parts, second + cone.N * part + next.N * root.x, true);
     }
   }
 
@@ -412,9 +437,6 @@ class MotionSearch {
   Eigen::MatrixXd N_, W_;
   double firmness_ = 1;  ///< the least singular value that does not vanish, in parts of the largest
   double noise_ = 0;
-  std::vector<Level> levels_;
-  QuadraticEquations cone_;
-  bool is_told_ = true;  ///< whether two digits of all tangents are known
   std::vector<Motion> found_;
 };
 

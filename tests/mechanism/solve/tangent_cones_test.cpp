@@ -166,5 +166,130 @@ TEST(FlatTetrads, MoveToTheConfigurationsBesideThem) {
   EXPECT_LT(worst, 1e3);
 }
 
+/// A crank and dyads between its pins, those of links before, and the ground, all on a line, with
+/// lengths of a lattice. Some are singular throughout, as where a pin is on the crank's pivot.
+SceneMaker flat_chain(std::mt19937& random, double phi, std::vector<std::string>& links) {
+  struct Pin {
+    std::string link, name;
+    int at;
+  };
+  const auto any = [&](int least, int most) {
+    return std::uniform_int_distribution<int>(least, most)(random);
+  };
+  SceneMaker maker;
+  links = {"crank"};
+  std::vector<Pin> pins{{"crank", "P", any(1, 3)}};
+  maker.point("ground", "A", 0, 0).bar("crank", {{"A", 0}, {"P", pins[0].at}});
+  const int dyads = any(1, 4);
+  for (int dyad = 0; dyad < dyads; ++dyad) {
+    const std::string number = std::to_string(dyad);
+    const Pin one = pins[static_cast<std::size_t>(any(0, static_cast<int>(pins.size()) - 1))];
+    Pin other{"ground", "D" + number, any(-6, 6)};
+    if (any(0, 9) < 3) {
+      other = pins[static_cast<std::size_t>(any(0, static_cast<int>(pins.size()) - 1))];
+    }
+    const int middle = any(-6, 6);
+    if (one.at == other.at || middle == one.at || middle == other.at) {
+      continue;
+    }
+    if (other.link == "ground") {
+      maker.point("ground", other.name, other.at, 0);
+    }
+    for (const auto& [link, end] : {std::pair{"U" + number, one}, {"V" + number, other}}) {
+      const std::string tip = "T" + link;
+      const int place = any(-6, 6);
+      maker.bar(link, {{end.name, 0}, {"M" + number, middle - end.at}, {tip, place - end.at}});
+      pins.push_back({link, tip, place});
+      links.push_back(link);
+    }
+    pins.push_back({"U" + number, "M" + number, middle});
+  }
+  return maker.drive("A", phi, 1, 0.3);
+}
+
+TEST(FlatChains, MoveToTheConfigurationsBesideThem) {
+  constexpr unsigned seed = 1;
+  constexpr double beside = 1e-4;
+  constexpr double near = 0.005;
+  std::mt19937 random(seed);
+  int motions_in_all = 0;
+  int untold = 0;
+  int compared = 0;
+  double worst = 0;
+  for (int trial = 0; trial < 120; ++trial) {
+    SCOPED_TRACE("trial " + std::to_string(trial));
+    std::vector<std::string> links;
+    const std::mt19937 same = random;
+    const Solved flat = solved(flat_chain(random, 0, links));
+    const auto angles_of = [&](const Configuration& one) {
+      std::vector<double> result;
+      for (const std::string& link : links) {
+        const auto& direction = one.link(link).pose.direction;
+        result.push_back(std::atan2(direction.sin, direction.cos));
+      }
+      return result;
+    };
+    std::vector<Configuration> motions;
+    for (const Configuration& one : flat.configurations()) {
+      if (are_within(angles_of(one), 1e-4)) {
+        motions = one.branches;
+        if (one.rates_known) {
+          motions.push_back(one);
+        }
+      }
+    }
+    std::mt19937 again = same;
+    std::vector<std::vector<double>> there;
+    const Solved bent = solved(flat_chain(again, beside, links));
+    for (const Configuration& one : bent.configurations()) {
+      if (const auto of_one = angles_of(one); are_within(of_one, near)) {
+        there.push_back(of_one);
+      }
+    }
+    motions_in_all += static_cast<int>(motions.size());
+    if (motions.empty()) {
+      untold += there.empty() ? 0 : 1;
+      continue;
+    }
+    std::size_t within = 0;
+    const double t = (std::sqrt(1 + 0.6 * beside) - 1) / 0.3;
+    for (const Configuration& motion : motions) {
+      double fastest = 1;
+      bool is_known_twice = true;
+      std::vector<double> expected;
+      for (const std::string& link : links) {
+        const auto& state = motion.link(link);
+        // Where a tangent is multiple, accelerations may be unknown.
+        const double second = std::isnan(state.acceleration(2)) ? 0 : state.acceleration(2);
+        is_known_twice = is_known_twice && !std::isnan(state.acceleration(2));
+        expected.push_back(state.velocity(2) * t + second * t * t / 2);
+        fastest = std::max(fastest, std::abs(state.velocity(2)));
+      }
+      if (!are_within(expected, near)) {
+        continue;
+      }
+      ++within;
+      double nearest = 1;
+      for (const std::vector<double>& one : there) {
+        double apart = 0;
+        for (std::size_t link = 0; link < one.size(); ++link) {
+          apart = std::max(apart, std::abs(one[link] - expected[link]));
+        }
+        nearest = std::min(nearest, apart);
+      }
+      ++compared;
+      worst = std::max(worst, nearest / std::pow(fastest * beside, is_known_twice ? 3 : 2));
+    }
+    EXPECT_EQ(there.size(), within);
+  }
+  std::printf(
+      "seed %u: %d motions, %d chains whose motions are not told; %d compared, off by %.1f "
+      "cubes\n",
+      seed, motions_in_all, untold, compared, worst);
+  EXPECT_GT(compared, 100);
+  EXPECT_LE(untold, 2);
+  EXPECT_LT(worst, 1e4);
+}
+
 }  // namespace
 }  // namespace assur::test::tangent_cones_test
