@@ -372,6 +372,12 @@ Derivation derive(const structure::Model& model, int configurations,
       names.push_back(unknown.name);
     }
   }
+  if (eliminations.empty()) {
+    result.reason +=
+        "; slides lie in more than two directions, so that no elimination leaves one "
+        "unknown: they are continued from those of the same group with other numbers";
+    return result;
+  }
   const loops::Elimination& first = eliminations.front();
   const auto name_of = [&](int angle) {
     return angle == 0 || angle == loops::Elimination::none ? std::string("the base's")

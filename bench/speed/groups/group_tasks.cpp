@@ -1,15 +1,20 @@
-// Turns turns of a crank that carries a six-link group, or a row of three dyads, into the tasks of
-// larger groups.
+// Turns turns of a crank that carries a six-link group, or a row of dyads, into the tasks of larger
+// groups.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Eigenvalues>
+#include <assur/scenes/one_dyad.hpp>
 #include <assur/scenes/three_dyads.hpp>
 #include <assur/scenes/three_pairs.hpp>
+#include <assur/scenes/two_dyads.hpp>
 #include <memory>
 #include <random>
 #include <vector>
 
 #include "groups/pinned_bodies.hpp"
+#ifdef ASSUR_PHC
+#include "phcpack.hpp"
+#endif
 #include "scenes/crank_angles.hpp"
 #include "tasks.hpp"
 
@@ -184,7 +189,32 @@ Entry eigenproblems(const std::string& task, std::size_t inputs) {
   return entry;
 }
 
-Task configurations_task(std::size_t inputs) {
+#ifdef ASSUR_PHC
+void add_phc(Task& task, const CrankAngles& angles,
+             const std::vector<std::vector<Precise::Coordinates>>& truth, std::size_t inputs) {
+  const auto closures = [&](std::size_t input) {
+    std::vector<SquaredClosure> result;
+    for (const Bodies::Bar& bar : Bodies(angles[input]).bars()) {
+      result.push_back({bar.first + 1, bar.second + 1, bar.b, bar.g, bar.f, bar.length});
+    }
+    return result;
+  };
+  const auto error = [&](std::size_t input, const std::vector<LinkDirections>& answer) {
+    const Bodies bodies(angles[input]);
+    Found found;
+    for (const LinkDirections& z : answer) {
+      Bodies::Coordinates q = bodies.standing({z[0], z[1], z[2]});
+      if (bodies.assemble(q)) {
+        add_new(found, q);
+      }
+    }
+    return error_of(found, truth[input]);
+  };
+  add_phc_rows(task, inputs, {closures, error});
+}
+#endif
+
+Task configurations_task(std::size_t inputs, std::size_t phc_inputs) {
   const CrankAngles angles(inputs);
   std::vector<std::vector<Precise::Coordinates>> truth;
   for (std::size_t index = 0; index < angles.size(); ++index) {
@@ -194,6 +224,11 @@ Task configurations_task(std::size_t inputs) {
   task.entries.push_back(found_by(task.name, "emitted", angles, truth, emitted));
   task.entries.push_back(found_by(task.name, "200-start Newton", angles, truth, many_starts));
   task.entries.push_back(eigenproblems(task.name, inputs));
+#ifdef ASSUR_PHC
+  add_phc(task, angles, truth, std::min(inputs, phc_inputs));
+#else
+  (void)phc_inputs;
+#endif
   return task;
 }
 
@@ -267,7 +302,12 @@ std::vector<Task> group_tasks(const TaskSizes& sizes) {
       followed_by<SixLinks>(following.name, "emitted, six-link group", inputs));
   following.entries.push_back(
       followed_by<scenes::ThreeDyads>(following.name, "emitted, three dyads", inputs));
-  return {configurations_task(inputs), following};
+  // Rows of fewer links tell how the time grows with their number.
+  following.entries.push_back(
+      followed_by<scenes::TwoDyads>(following.name, "emitted, two dyads", inputs));
+  following.entries.push_back(
+      followed_by<scenes::OneDyad>(following.name, "emitted, one dyad", inputs));
+  return {configurations_task(inputs, sizes.phc_inputs), following};
 }
 
 }  // namespace assur::speed

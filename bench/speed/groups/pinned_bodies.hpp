@@ -40,8 +40,47 @@ class PinnedBodies {
     return false;
   }
 
- private:
   using Complex = std::complex<Scalar>;
+  /// A bar between two of the first three bodies: with their directions z it closes where
+  /// |b + g z_first - f z_second| is its length.
+  struct Bar {
+    int first, second;
+    Complex b, g, f;
+    Scalar length;
+  };
+  [[nodiscard]] std::array<Bar, 3> bars() const {
+    std::array<Bar, 3> result;
+    for (std::size_t bar = 0; bar < 3; ++bar) {
+      const auto [from, to] = axes[3 + bar];
+      const auto [first, second] = ends[bar];
+      result[bar] = {first,
+                     second,
+                     pin_of(first) - pin_of(second),
+                     arm_of(first, from),
+                     arm_of(second, to),
+                     length_of(from, to)};
+    }
+    return result;
+  }
+  /// The coordinates where the first three bodies have these directions.
+  [[nodiscard]] Coordinates standing(const std::array<Complex, 3>& z) const {
+    Coordinates q;
+    const auto put = [&q](int body, const Complex& at, const Complex& direction) {
+      q.template segment<3>(3 * body) << at.real(), at.imag(), std::arg(direction);
+    };
+    for (int body = 0; body < 3; ++body) {
+      put(body, pin_of(body), z[static_cast<std::size_t>(body)]);
+    }
+    int bar = 3;
+    for (const Bar& one : bars()) {
+      const Complex from = pin_of(one.first) + one.g * z[static_cast<std::size_t>(one.first)];
+      const Complex to = pin_of(one.second) + one.f * z[static_cast<std::size_t>(one.second)];
+      put(bar++, from, to - from);
+    }
+    return q;
+  }
+
+ private:
   using Jacobian = Eigen::Matrix<Scalar, 18, 18>;
   enum Place { A, B, D, F, P, Q, R, S, T, U };
   static constexpr int base = -1;
@@ -52,6 +91,8 @@ class PinnedBodies {
   /// The bodies one, two, three, bar_a, bar_b and bar_c.
   static constexpr std::array<std::array<Place, 2>, 6> axes = {
       {{B, P}, {D, R}, {F, T}, {P, R}, {Q, T}, {S, U}}};
+  /// The bodies at the ends of each bar.
+  static constexpr std::array<std::array<int, 2>, 3> ends = {{{0, 1}, {0, 2}, {1, 2}}};
   static constexpr std::array<Joint, 9> joints = {{{B, {base, 0}},
                                                    {D, {base, 1}},
                                                    {F, {base, 2}},
@@ -87,6 +128,10 @@ class PinnedBodies {
     return result;
   }
 
+  /// Where one of the first three bodies is pinned to the crank or the ground.
+  [[nodiscard]] Complex pin_of(int body) const {
+    return places_[axes[static_cast<std::size_t>(body)][0]];
+  }
   /// A point of a body in its frame.
   [[nodiscard]] static Complex arm_of(int body, Place place) {
     const auto [origin, end] = axes[static_cast<std::size_t>(body)];

@@ -11,7 +11,7 @@
 #include "positions/position_methods.hpp"
 #include "tasks.hpp"
 #ifdef ASSUR_PHC
-#include "positions/phcpack.hpp"
+#include "phcpack.hpp"
 #endif
 
 namespace assur::speed {
@@ -41,32 +41,36 @@ void add(Task& task, const Samples<Model>& samples, const std::string& method, F
 }
 
 #ifdef ASSUR_PHC
-/// Each input takes a process, so there are few inputs, and the rows bring their own median times.
 void add_phc(Task& task, const Samples<tetrad::Model01>& samples, std::size_t inputs) {
-  ErrorTally tally;
-  std::vector<double> solving;
-  std::vector<double> call;
-  for (std::size_t index = 0; index < inputs; ++index) {
-    const auto answer = solve_by_phc(samples->list[index]);
-    if (!answer) {
-      tally.add_failure();
-      continue;
-    }
-    tally.add(position_error<tetrad::Model01>(answer->found, samples->truth[index]));
-    solving.push_back(answer->solving_ns);
-    call.push_back(answer->call_ns);
-  }
-  Entry entry;
-  entry.row.task = task.name;
-  tally.write_to(entry.row);
-  const auto append = [&](const char* method, std::vector<double>& times) {
-    entry.row.method = method;
-    std::sort(times.begin(), times.end());
-    entry.row.ns = times.empty() ? 0 : times[times.size() / 2];
-    task.entries.push_back(entry);
+  using Model = tetrad::Model01;
+  using Complex = std::complex<double>;
+  const auto closures = [samples](std::size_t input) {
+    const auto& d = samples->list[input].d;
+    const auto& u = samples->list[input].u;
+    const Complex b(u.x_B - u.x_E, u.y_B - u.y_E);
+    const Complex G(d.x_G_BCG, d.y_G_BCG);
+    const Complex F(d.x_F_EDF, d.y_F_EDF);
+    return std::vector<SquaredClosure>{{1, 2, b, d.BC, d.ED, d.CD}, {1, 2, b, G, F, d.GF}};
   };
-  append("PHCpack, solving alone", solving);
-  append("PHCpack, the whole process", call);
+  const auto error = [samples, closures](std::size_t input,
+                                         const std::vector<LinkDirections>& answer) {
+    const auto direction = [](const Complex& z) {
+      return Direction<double>{z.real() / std::abs(z), z.imag() / std::abs(z)};
+    };
+    Found<Model> found;
+    for (const LinkDirections& z : answer) {
+      std::vector<Direction<double>> directions = {direction(z[0]), direction(z[1])};
+      for (const SquaredClosure& one : closures(input)) {
+        directions.push_back(direction(-(one.b + one.g * z[0] - one.f * z[1]) / one.bar));
+      }
+      Model::Configuration<double> q = {directions[0], directions[1], directions[2], directions[3]};
+      const auto& sample = samples->list[input];
+      (void)refine<Model, double>(sample.d, sample.u, q, 3);
+      found.add(q);
+    }
+    return position_error<Model>(found, samples->truth[input]);
+  };
+  add_phc_rows(task, inputs, {closures, error});
 }
 #endif
 

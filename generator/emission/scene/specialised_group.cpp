@@ -5,6 +5,7 @@
 #include <assur/support/scale.hpp>
 #include <assur/text/names.hpp>
 #include <cmath>
+#include <complex>
 #include <iterator>
 #include <set>
 
@@ -26,7 +27,7 @@ class GroupSpecialiser {
       : numbers_(numbers),
         equations_(equations::closure_equations(*numbers.model, numbers.dimension_moves)),
         derivatives_(derivatives::differentiate(equations_)) {
-    if (numbers.eliminations.empty()) {
+    if (numbers.eliminations.empty() && numbers.starts.empty()) {
       closed_.emplace(equations_);
     }
     collect_values();
@@ -354,8 +355,12 @@ class GroupSpecialiser {
       model::show_solution(closed_->structured, equations_, closed_->elimination, view);
       view.set("has_second_unknown", closed_->elimination.second != nullptr);
     } else {
-      closure.emplace_back("all complex configurations by the determinant of Dixon");
+      closure.emplace_back(
+          numbers_.starts.empty()
+              ? "all complex configurations by the determinant of Dixon"
+              : "all complex configurations along paths from those of other numbers");
       show_eliminations(view);
+      show_starts(view);
     }
     view.set("is_closed_form", closed_.has_value());
     view.set("closure", cpp::line_list(closure, ""));
@@ -403,19 +408,51 @@ class GroupSpecialiser {
       slide_angles.push_back(std::to_string(angle));
     }
     const std::size_t slides = slide_angles.size();
-    const auto show = [&view](const std::string& name, const std::vector<std::string>& list) {
-      view.set(name, text::joined(list, ", "));
-      view.set(name + "_count", std::to_string(list.size()));
-    };
-    show("angle_sets", sets);
-    show("lowest_powers", powers);
-    show("eliminations", entries);
-    show("slide_angles", slide_angles);
+    show_table("angle_sets", sets, view);
+    show_table("lowest_powers", powers, view);
+    show_table("eliminations", entries, view);
+    show_table("slide_angles", slide_angles, view);
     view.set("loop_count", std::to_string(equations_.loops.size()));
     view.set("angle_count", std::to_string(equations_.unknowns.size() - slides));
     view.set("slide_count", std::to_string(slides));
     view.set("eigenvalue_count", std::to_string(eigenvalues));
     view.set("max_configurations", std::to_string(numbers_.complex_configurations));
+  }
+  /// Shows the configurations of other numbers, from which the runtime continues.
+  void show_starts(cpp::View& view) const {
+    view.set("has_starts", !numbers_.starts.empty());
+    if (numbers_.starts.empty()) {
+      return;
+    }
+    const loops::Start& first = numbers_.starts.front();
+    const std::size_t loops = equations_.loops.size();
+    const std::size_t slides = numbers_.slide_angles.size();
+    const std::size_t directions = equations_.unknowns.size() - slides + 1;
+    const auto count = static_cast<std::size_t>(first.configurations);
+    std::vector<std::string> table;
+    std::string of_all = "{" + std::to_string(count);
+    const auto put = [&](const std::complex<double>* from, std::size_t size) {
+      of_all += ", start_numbers.data() + " + std::to_string(table.size());
+      std::transform(from, from + size, std::back_inserter(table), complex_text);
+    };
+    put(first.of_angles, loops * directions);
+    put(first.of_slides, loops * slides);
+    put(first.theta, count * directions);
+    put(first.s, count * slides);
+    std::vector<std::string> entries;
+    for (const loops::Start& one : numbers_.starts) {
+      entries.push_back(of_all + ", " + complex_text(one.turn) + "}");
+    }
+    show_table("start_numbers", table, view);
+    show_table("starts", entries, view);
+  }
+  static void show_table(const std::string& name, const std::vector<std::string>& list,
+                         cpp::View& view) {
+    view.set(name, text::joined(list, ", "));
+    view.set(name + "_count", std::to_string(list.size()));
+  }
+  [[nodiscard]] static std::string complex_text(const std::complex<double>& of) {
+    return "{" + cpp::round_trip(of.real()) + ", " + cpp::round_trip(of.imag()) + "}";
   }
   [[nodiscard]] static std::string set_text(loops::AngleSet set) {
     return std::to_string(set) + "U";

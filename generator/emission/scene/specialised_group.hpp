@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <assur/loops/elimination.hpp>
+#include <assur/loops/start.hpp>
 #include <assur/normal_form.hpp>
 #include <optional>
 #include <string>
@@ -43,6 +44,7 @@ struct SpecialisedNumbers {
   /// Of a group of more than four links: the ways to all of its complex configurations, their
   /// number, and the angle along which each displacement runs.
   std::vector<loops::Elimination> eliminations;
+  std::vector<loops::Start> starts;  ///< where there are none
   std::size_t complex_configurations;
   std::vector<int> slide_angles;
 };

@@ -114,7 +114,7 @@ std::vector<loops::Elimination> emitted_eliminations(const SolverScene& solver,
   std::ranges::copy_if(
       model.eliminations, std::back_inserter(result),
       [](const loops::Elimination& one) { return one.eigenvalues() <= most_eigenvalues; });
-  if (model.is_derived() && result.empty()) {
+  if (model.is_derived() && result.empty() && model.starts.empty()) {
     throw mechanism::MechanismError(
         "links: " + names_of(solver, group),
         "their group needs an eigenproblem of more than " + std::to_string(most_eigenvalues) +
@@ -239,6 +239,7 @@ SpecialisedNumbers specialised_numbers(const SolverScene& solver, mechanism::Gro
           of_dimensions.values(), of_dimensions.gradient(), of_inputs.values(),
           of_inputs.gradient(), input_moves, frame_needs(solver, group), solver.holds_groups(group),
           solver.gives_forces_by_groups(), emitted_eliminations(solver, group),
+          solver.group(group).model->starts,
           static_cast<std::size_t>(solver.group(group).model->max_configurations),
           solver.group(group).model->slide_angles};
 }

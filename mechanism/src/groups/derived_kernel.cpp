@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <unsupported/Eigen/AutoDiff>
 #include <utility>
 
@@ -190,32 +189,20 @@ DerivedKernel::DerivedKernel(Loops loops, std::vector<std::vector<int>> link_joi
   }
   // Numbers in general position tell which coefficients are zero by structure, and how many complex
   // configurations there are; each trial must find the same number.
-  constexpr std::uint64_t seed = 20261128;
   constexpr int trials = 3;
-  std::mt19937_64 engine(seed);
-  std::uniform_real_distribution<double> length(-1, 1);
-  std::uniform_real_distribution<double> angle(-std::numbers::pi, std::numbers::pi);
-  const auto general = [&] {
-    std::vector<JointFeatures<double>> result;
-    for (const ModelJoint& joint : loops_.joints) {
-      JointFeatures<double> features;
-      for (LinkFeature<double>* feature : {&features.on_first, &features.on_second}) {
-        const double x = length(engine);
-        const double y = length(engine);
-        *feature = {joint.prismatic, x, y, direction_of(joint.prismatic ? angle(engine) : 0.0)};
-      }
-      result.push_back(features);
-    }
-    return loop_equations(loops_, result);
-  };
-  eliminations_ = eliminations_of(general());
+  constexpr int any_number = std::numeric_limits<int>::max();
+  GeneralEquations general(loops_);
+  eliminations_ = eliminations_of(general.next());
   const std::vector<assur::loops::Elimination>& all = eliminations_.list();
   for (int trial = 0; trial < trials && !all.empty(); ++trial) {
     // Two eliminations that hide different angles, so that none is lost by chance.
     const std::vector<assur::loops::Elimination> few = {all.front(), all.back()};
-    constexpr int any_number = std::numeric_limits<int>::max();
-    complex_count_ = std::max(complex_count_,
-                              assur::loops::all_configurations(general(), few, any_number).count());
+    complex_count_ = std::max(
+        complex_count_, assur::loops::all_configurations(general.next(), few, any_number).count());
+  }
+  if (all.empty()) {
+    starts_ = Starts(general);
+    complex_count_ = starts_.complex_count();
   }
 }
 
@@ -303,8 +290,9 @@ FlatVariables DerivedKernel::flat(const ComplexConfiguration& at) {
 GroupProof DerivedKernel::proof(const std::vector<JointFeatures<double>>& features,
                                 const std::vector<Direction<double>>& directions) const {
   const LoopEquations equations = loop_equations(loops_, features);
-  const auto all =
-      assur::loops::all_configurations(equations, eliminations_.list(), complex_count_);
+  const auto all = by_every_way([&](const auto& ways) {
+    return assur::loops::all_configurations(equations, ways, complex_count_);
+  });
   GroupProof result{all.count(), complex_count_, 0, ""};
   for (const assur::loops::Enclosed<assur::loops::AnySizes>& one : all.enclosed) {
     double distance = 0;
@@ -336,8 +324,9 @@ void DerivedKernel::assemble(const FlatVariables& d, const FlatVariables& u,
   if (found.status != AssemblyStatus::ok) {
     return;
   }
-  const auto real =
-      assur::loops::real_configurations(equations, eliminations_.list(), complex_count_);
+  const auto real = by_every_way([&](const auto& ways) {
+    return assur::loops::real_configurations(equations, ways, complex_count_);
+  });
   if (real.complex_count < complex_count_) {
     found.mobility = real.mobility;
     found.complex_count = real.complex_count;
@@ -397,16 +386,15 @@ Status DerivedKernel::gap(const FlatVariables& d, const FlatVariables& u, double
     return Status::not_finite;
   }
   result = std::numeric_limits<double>::infinity();
-  for (const assur::loops::Elimination& elimination : eliminations_.list()) {
-    assur::loops::each_candidate(equations, elimination, [&](const ComplexConfiguration& near) {
-      const ComplexConfiguration at =
-          assur::loops::settled(equations, assur::loops::made_real(near));
-      result = std::min(result, assur::loops::real_closures(equations, at).f.norm());
-    });
-    if (std::isfinite(result)) {
-      break;
+  by_every_way([&](const auto& ways) {
+    for (auto way = ways.begin(); way != ways.end() && !std::isfinite(result); ++way) {
+      assur::loops::each_candidate(equations, *way, [&](const ComplexConfiguration& near) {
+        const ComplexConfiguration at =
+            assur::loops::settled(equations, assur::loops::made_real(near));
+        result = std::min(result, assur::loops::real_closures(equations, at).f.norm());
+      });
     }
-  }
+  });
   return std::isfinite(result) ? Status::ok : Status::not_finite;
 }
 

@@ -6,6 +6,7 @@
 
 #include "groups/elimination.hpp"
 #include "groups/loops.hpp"
+#include "groups/starts.hpp"
 #include "models/model_kernel.hpp"
 
 namespace assur::mechanism::groups {
@@ -28,6 +29,7 @@ class DerivedKernel final : public ModelKernel {
   /// none, or no way to find all.
   [[nodiscard]] int complex_count() const { return complex_count_; }
   [[nodiscard]] const Eliminations& eliminations() const { return eliminations_; }
+  [[nodiscard]] const Starts& starts() const { return starts_; }
   [[nodiscard]] const Loops& loops() const { return loops_; }
   [[nodiscard]] const std::vector<bool>& dimension_is_angle() const { return dimension_is_angle_; }
   [[nodiscard]] const std::vector<bool>& input_is_angle() const { return input_is_angle_; }
@@ -54,6 +56,11 @@ class DerivedKernel final : public ModelKernel {
               models::MovingGroup& moving) const override;
 
  private:
+  /// Calls `search(ways)` with the eliminations, or the starts where there are none.
+  template <typename Search>
+  auto by_every_way(const Search& search) const {
+    return eliminations_.list().empty() ? search(starts_.list()) : search(eliminations_.list());
+  }
   [[nodiscard]] bool slides(int joint) const;
   /// The joint at which the frame of a link with these joints has its origin (`LinkForm`).
   [[nodiscard]] int origin_of(const std::vector<int>& joints) const;
@@ -81,6 +88,7 @@ class DerivedKernel final : public ModelKernel {
   std::vector<std::vector<int>> link_joints_;
   std::vector<bool> unknown_is_angle_, dimension_is_angle_, input_is_angle_;
   Eliminations eliminations_;
+  Starts starts_;  ///< where there is no elimination
   int complex_count_ = 0;
 };
 

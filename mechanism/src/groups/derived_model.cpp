@@ -56,7 +56,7 @@ std::unique_ptr<DerivedModel> derived(int link_count, const std::vector<ModelJoi
     return nullptr;
   }
   if (kernel.complex_count() == 0) {
-    obstacle = "it moves in general position, or its slides lie in more than two directions";
+    obstacle = "it moves in general position";
     return nullptr;
   }
   std::vector<ModelUnknown> unknowns;
@@ -82,6 +82,7 @@ std::unique_ptr<DerivedModel> derived(int link_count, const std::vector<ModelJoi
                    kernel.input_is_angle(),
                    nullptr,
                    kernel.eliminations().list(),
+                   kernel.starts().list(),
                    slide_angles_of(kernel.loops())};
   auto result = std::make_unique<DerivedModel>(
       DerivedModel{std::move(structure), std::move(kernel), std::move(model)});

@@ -30,7 +30,7 @@ class Eliminations {
 };
 
 /// The eliminations that serve a group in general position. A displacement must run along the
-/// ground or the hidden angle; there is none where slides lie in three directions.
+/// ground or the hidden angle; there is none where slides lie in three directions (`Starts`).
 [[nodiscard]] Eliminations eliminations_of(const LoopEquations& general);
 
 }  // namespace assur::mechanism::groups

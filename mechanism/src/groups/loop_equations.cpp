@@ -1,5 +1,8 @@
 #include "groups/loop_equations.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace assur::mechanism::groups {
 
 LoopEquations loop_equations(const Loops& loops,
@@ -27,6 +30,48 @@ LoopEquations loop_equations(const Loops& loops,
       Eigen::Map<const Eigen::VectorXi>(along.data(), loops.slide_count);
   return assur::loops::loop_equations<assur::loops::AnySizes>(loops.loop_count(), loops.angle_count,
                                                               slide_angles, closures_at);
+}
+
+double GeneralEquations::next_length() {
+  return std::uniform_real_distribution<double>(-1, 1)(engine_);
+}
+
+loops::Complex GeneralEquations::next_turn() {
+  return std::polar(1.0, std::numbers::pi * next_length());
+}
+
+LoopEquations GeneralEquations::next() {
+  std::vector<JointFeatures<double>> features;
+  for (const ModelJoint& joint : loops_.joints) {
+    JointFeatures<double>& one = features.emplace_back();
+    for (LinkFeature<double>* feature : {&one.on_first, &one.on_second}) {
+      const double x = next_length();
+      const double y = next_length();
+      const loops::Complex along = joint.prismatic ? next_turn() : 1.0;
+      *feature = {joint.prismatic, x, y, {along.real(), along.imag()}};
+    }
+  }
+  return loop_equations(loops_, features);
+}
+
+GeneralEquations::Closed GeneralEquations::next_closed() {
+  Closed result{next(), {}};
+  result.at.theta.setOnes(loops_.angle_count + 1);
+  for (Eigen::Index angle = 1; angle < result.at.theta.size(); ++angle) {
+    result.at.theta(angle) = next_turn();
+  }
+  result.at.s.resize(loops_.slide_count);
+  for (loops::Complex& s : result.at.s) {
+    s = next_length();
+  }
+  // A joint that closes a loop is moved on its second link to where it is on the first one.
+  const Eigen::VectorXcd open = assur::loops::closures_at(result.equations, result.at);
+  for (Eigen::Index loop = 0; loop < result.equations.loop_count(); ++loop) {
+    const int joint = loops_.closing[static_cast<std::size_t>(loop)];
+    const int angle = loops_.angle_of(loops_.joints[static_cast<std::size_t>(joint)].second);
+    result.equations.of_angles(loop, angle) -= open(loop) / result.at.theta(angle);
+  }
+  return result;
 }
 
 }  // namespace assur::mechanism::groups

@@ -239,6 +239,7 @@ template <typename Model>
                  sorts_of<typename Model::template Inputs<double>>(),
                  kernel_of<Model>(),
                  {},
+                 {},
                  {}};
   for (const ModelJoint& joint : Model::joints) {
     row.prismatic.push_back(joint.prismatic);

@@ -111,13 +111,14 @@ TEST(LargerGroups, SolveEveryEightBarLinkageAsItIsDrawn) {
 
 /// What a campaign has found.
 struct Campaign {
-  int groups = 0, complete = 0, listed = 0, rests = 0, lost = 0;
+  int groups = 0, complete = 0, drawn = 0, listed = 0, rests = 0, lost = 0;
   double largest_gap = 0;  ///< of what is listed: it is invented where it does not close
   double farthest = 0;     ///< of what Newton's method finds from what is listed
 };
 
 std::ostream& operator<<(std::ostream& out, const Campaign& told) {
-  return out << told.groups << " groups, " << told.complete << " proven complete, " << told.listed
+  return out << told.groups << " groups, " << told.complete << " proven complete, " << told.drawn
+             << " list the drawn configuration once, " << told.listed
              << " configurations that close within " << told.largest_gap
              << ", Newton's method came to rest " << told.rests << " times within " << told.farthest
              << " of them, " << told.lost << " lost\n";
@@ -125,18 +126,23 @@ std::ostream& operator<<(std::ostream& out, const Campaign& told) {
 
 /// A chain whose joints are anywhere, with one of its links as the ground: all configurations, and
 /// those at which Newton's method comes to rest from many starts.
-void search(const Chain& chain, int links, int ground, int starts, std::mt19937& engine,
-            Campaign& campaign) {
+void search(const Chain& chain, const std::vector<bool>& slides, int links, int ground, int starts,
+            std::mt19937& engine, Campaign& campaign) {
   const Places places = any_places(chain, engine);
+  const Lines lines = any_lines(slides, engine);
   const mechanism::Plan plan(
-      mechanism::parse_scene(drawn_chain(chain, places, links, ground).dump(), "a chain"));
+      mechanism::parse_scene(drawn_chain(chain, places, lines, links, ground).dump(), "a chain"));
   const mechanism::Solution solution = plan.solve(plan.values());
-  const PinnedBodies bodies(chain, places, links, ground);
+  const PinnedBodies bodies(chain, places, lines, links, ground);
   std::vector<Eigen::VectorXd> listed;
   for (const mechanism::Configuration& configuration : solution.configurations) {
     listed.push_back(bodies.coordinates(configuration));
     campaign.largest_gap = std::max(campaign.largest_gap, bodies.gap(listed.back()));
   }
+  const Eigen::VectorXd as_drawn = Eigen::VectorXd::Zero(bodies.size());
+  campaign.drawn += std::ranges::count_if(listed, [&](const Eigen::VectorXd& one) {
+                      return distance_of(one, as_drawn) < 1e-6;
+                    }) == 1;
   ++campaign.groups;
   campaign.complete += solution.incomplete.empty() ? 1 : 0;
   campaign.listed += static_cast<int>(listed.size());
@@ -163,25 +169,46 @@ void search(const Chain& chain, int links, int ground, int starts, std::mt19937&
   }
 }
 
+constexpr unsigned seed_of_campaigns = 61;
+
+void expect_none_lost_or_invented(const Campaign& campaign, int most_unproven) {
+  std::cout << "seed " << seed_of_campaigns << ": " << campaign;
+  EXPECT_EQ(campaign.lost, 0);
+  EXPECT_GE(campaign.complete, campaign.groups - most_unproven);
+  EXPECT_EQ(campaign.drawn, campaign.groups);
+  EXPECT_LT(campaign.largest_gap, 1e-11);
+  EXPECT_GT(campaign.rests, campaign.listed);
+}
+
 void expect_none_lost_or_invented(const std::vector<Chain>& chains, int links, int groups,
                                   int starts) {
-  constexpr unsigned seed = 61;
-  std::mt19937 engine(seed);
+  std::mt19937 engine(seed_of_campaigns);
   Campaign campaign;
   for (int trial = 0; trial < groups; ++trial) {
     const Chain& chain = chains[static_cast<std::size_t>(trial) % chains.size()];
-    search(chain, links, trial % links, starts, engine, campaign);
+    search(chain, std::vector<bool>(chain.size(), false), links, trial % links, starts, engine,
+           campaign);
   }
-  std::cout << "seed " << seed << ": " << campaign;
-  EXPECT_EQ(campaign.lost, 0);
-  EXPECT_EQ(campaign.complete, groups);
-  EXPECT_LT(campaign.largest_gap, 1e-11);
-  EXPECT_GT(campaign.rests, campaign.listed);
+  expect_none_lost_or_invented(campaign, 0);
 }
 
 TEST(LargerGroups, OfSixLinksLackNoConfigurationThatNewtonFinds) {
   const bool whole = is_whole_campaign();
   expect_none_lost_or_invented(seven_link_chains(), 7, whole ? 2000 : 30, whole ? 200 : 40);
+}
+
+TEST(LargerGroups, WithSlidesInThreeDirectionsLackNoConfigurationThatNewtonFinds) {
+  std::mt19937 engine(seed_of_campaigns);
+  Campaign campaign;
+  for (const auto& [chain, slides] : share_of(chains_with_slides_in_three_directions(), 13)) {
+    for (int ground = 0; ground < (is_whole_campaign() ? 7 : 1); ++ground) {
+      search(chain, slides, 7, (ground + campaign.groups) % 7, is_whole_campaign() ? 200 : 100,
+             engine, campaign);
+    }
+  }
+  // Slides that are almost parallel have complex configurations so far away that doubles do not
+  // enclose them: the answer then says that it may lack some.
+  expect_none_lost_or_invented(campaign, campaign.groups / 100);
 }
 
 TEST(LargerGroups, OfEightLinksLackNoConfigurationThatNewtonFinds) {

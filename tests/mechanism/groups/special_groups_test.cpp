@@ -241,6 +241,64 @@ TEST(SpecialGroups, OnALatticeLoseNothingAndAreLikeTheirTwins) {
             << farthest << "\n";
 }
 
+/// Slides along the axes and diagonals of a lattice.
+Lines lattice_lines(const std::vector<bool>& slides, std::mt19937& engine) {
+  std::uniform_int_distribution<int> eighth(0, 7);
+  Lines result;
+  for (const bool is_slide : slides) {
+    result.push_back(is_slide ? std::polar(1.0, eighth(engine) * std::acos(-1) / 4) : 0.0);
+  }
+  return result;
+}
+
+// Parallel slides make families here; where there is none, nothing that Newton's method finds is
+// lost.
+TEST(SpecialGroups, WithSlidesInThreeDirectionsOnALatticeLoseNothing) {
+  constexpr unsigned seed = 43;
+  constexpr double near = 1e-3;
+  std::mt19937 engine(seed);
+  const int starts = is_whole_campaign() ? 200 : 50;
+  int groups = 0;
+  int complete = 0;
+  int moving = 0;
+  int rests = 0;
+  for (const auto& [chain, slides] : share_of(chains_with_slides_in_three_directions(), 13)) {
+    SCOPED_TRACE("group " + std::to_string(groups));
+    const int ground = groups++ % 7;
+    const Places places = lattice_places(chain, engine);
+    const Lines lines = lattice_lines(slides, engine);
+    const PinnedBodies bodies(chain, places, lines, 7, ground);
+    const mechanism::Solution solution = solved(drawn_chain(chain, places, lines, 7, ground));
+    complete += solution.incomplete.empty() ? 1 : 0;
+    std::vector<Eigen::VectorXd> listed;
+    for (const mechanism::Configuration& one : solution.configurations) {
+      listed.push_back(bodies.coordinates(one));
+      EXPECT_LT(bodies.gap(listed.back()), 1e-11) << "a configuration is invented";
+      EXPECT_EQ(count_near(listed, listed.back(), near), 1) << "it is listed twice";
+    }
+    if (!solution.families.empty() || solution.mobility > 0) {
+      ++moving;
+      continue;
+    }
+    EXPECT_EQ(count_near(listed, Eigen::VectorXd::Zero(bodies.size()), near), 1)
+        << "the drawn configuration is lost";
+    std::uniform_real_distribution<double> place(-6, 6);
+    std::uniform_real_distribution<double> angle(-3.2, 3.2);
+    for (int start = 0; start < starts; ++start) {
+      Eigen::VectorXd q(bodies.size());
+      for (Eigen::Index coordinate = 0; coordinate < q.size(); ++coordinate) {
+        q(coordinate) = coordinate % 3 == 2 ? angle(engine) : place(engine);
+      }
+      if (bodies.assemble(q)) {
+        ++rests;
+        EXPECT_LT(distance_to(listed, q), near) << "a configuration is lost";
+      }
+    }
+  }
+  std::cout << "seed " << seed << ": " << groups << " groups, " << complete << " proven complete, "
+            << moving << " move; Newton's method came to rest " << rests << " times\n";
+}
+
 /// Links that are given by points in frames of their own, pinned where points have one name.
 Json pinned(const Json& links) {
   Json scene{{"links", links}};

@@ -7,6 +7,8 @@
 #include <bit>
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +42,54 @@ inline const std::vector<Chain>& seven_link_chains() {
       {{0, 2}, {0, 4}, {0, 6}, {1, 2}, {1, 4}, {2, 5}, {3, 4}, {3, 6}, {5, 6}},
       {{0, 2}, {0, 3}, {1, 3}, {1, 4}, {2, 4}, {2, 5}, {3, 5}, {3, 6}, {4, 6}}};
   return chains;
+}
+
+/// The number of directions in which the slides of a chain lie: links that slides tie have one
+/// angle.
+inline std::size_t slide_directions(const Chain& chain, const std::vector<bool>& slides) {
+  std::map<int, int> angles;  // of links
+  for (const auto& [one, other] : chain) {
+    angles[one] = one;
+    angles[other] = other;
+  }
+  for (std::size_t joint = 0; joint < chain.size(); ++joint) {
+    const int from = angles[chain[joint].first];
+    const int to = angles[chain[joint].second];
+    for (auto& [link, angle] : angles) {
+      angle = slides[joint] && angle == from ? to : angle;
+    }
+  }
+  std::set<int> directions;
+  for (std::size_t joint = 0; joint < chain.size(); ++joint) {
+    if (slides[joint]) {
+      directions.insert(angles[chain[joint].first]);
+    }
+  }
+  return directions.size();
+}
+
+/// A chain of seven links with some of its joints sliding.
+struct ChainWithSlides {
+  Chain chain;
+  std::vector<bool> slides;
+};
+
+/// The kinds of the seven-link chains with slides in three directions or more: no elimination
+/// leaves one unknown of them. All are rigid but those in which slides tie links in a circle.
+inline std::vector<ChainWithSlides> chains_with_slides_in_three_directions() {
+  std::vector<ChainWithSlides> result;
+  for (const Chain& chain : seven_link_chains()) {
+    for (unsigned bits = 0; bits < (1U << chain.size()); ++bits) {
+      std::vector<bool> slides;
+      for (std::size_t joint = 0; joint < chain.size(); ++joint) {
+        slides.push_back(((bits >> joint) & 1U) != 0);
+      }
+      if (slide_directions(chain, slides) > 2) {
+        result.push_back({chain, slides});
+      }
+    }
+  }
+  return result;
 }
 
 /// The group that is left of a chain when one link becomes the base.

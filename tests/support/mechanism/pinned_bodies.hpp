@@ -1,5 +1,5 @@
-// Chains of rigid links that are drawn with pins at given places, as scenes and as pinned bodies
-// for Newton's method: the independent truth for larger groups of revolute joints.
+// Chains of rigid links that are drawn with pins and slides at given places, as scenes and as
+// bodies for Newton's method: the independent truth for larger groups.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,6 +31,22 @@ inline Places any_places(const Chain& chain, std::mt19937& engine) {
   return result;
 }
 
+/// The directions of the slides among the joints of a chain, of length one; those of pins are zero.
+using Lines = std::vector<std::complex<double>>;
+
+inline Lines any_lines(const std::vector<bool>& slides, std::mt19937& engine) {
+  std::uniform_real_distribution<double> angle(-3.2, 3.2);
+  Lines result;
+  for (const bool is_slide : slides) {
+    result.push_back(is_slide ? std::polar(1.0, angle(engine)) : 0.0);
+  }
+  return result;
+}
+
+inline bool have_slides(const Lines& lines) {
+  return std::ranges::any_of(lines, [](const std::complex<double>& one) { return one != 0.0; });
+}
+
 /// Bars between points: joint k of a chain at point Pk.
 inline nlohmann::ordered_json drawn_chain(const Chain& chain, const Places& places, int links,
                                           int ground) {
@@ -50,12 +66,54 @@ inline nlohmann::ordered_json drawn_chain(const Chain& chain, const Places& plac
   return scene;
 }
 
+/// The same with slides along lines through their places. Each link begins with two points of its
+/// own, so that its frame is that of the drawing.
+inline nlohmann::ordered_json drawn_chain(const Chain& chain, const Places& places,
+                                          const Lines& lines, int links, int ground) {
+  nlohmann::ordered_json scene = drawn_chain(chain, places, links, ground);
+  if (!have_slides(lines)) {
+    return scene;
+  }
+  const auto name_of = [&](int link) {
+    return link == ground ? "ground" : "L" + std::to_string(link);
+  };
+  for (int link = 0; link < links; ++link) {
+    const std::string name = name_of(link);
+    scene["points"][name + " origin"] = {0, 0};
+    scene["points"][name + " axis"] = {1, 0};
+    nlohmann::ordered_json points = {name + " origin", name + " axis"};
+    for (std::size_t joint = 0; joint < chain.size(); ++joint) {
+      const bool is_here = chain[joint].first == link || chain[joint].second == link;
+      if (is_here && lines[joint] == 0.0) {
+        points.push_back("P" + std::to_string(joint));
+      }
+    }
+    scene["links"][name] = std::move(points);
+  }
+  for (std::size_t joint = 0; joint < chain.size(); ++joint) {
+    if (lines[joint] != 0.0) {
+      scene["joints"]["S" + std::to_string(joint)] = {
+          {"type", "prismatic"},
+          {"links", {name_of(chain[joint].first), name_of(chain[joint].second)}},
+          {"at", "P" + std::to_string(joint)},
+          {"direction", {lines[joint].real(), lines[joint].imag()}}};
+    }
+  }
+  return scene;
+}
+
 /// The links of a chain as rigid bodies that turn about the origin and move from where they are
 /// drawn: coordinates x, y and angle of every link but the ground. It knows no groups and no loops.
 class PinnedBodies {
  public:
   PinnedBodies(const Chain& chain, const Places& places, int links, int ground)
-      : chain_(chain), places_(places), ground_(ground), size_(3L * (links - 1)) {}
+      : PinnedBodies(chain, places, Lines(chain.size(), 0), links, ground) {}
+  PinnedBodies(const Chain& chain, const Places& places, Lines lines, int links, int ground)
+      : chain_(chain),
+        places_(places),
+        lines_(std::move(lines)),
+        ground_(ground),
+        size_(3L * (links - 1)) {}
 
   [[nodiscard]] Eigen::Index size() const { return size_; }
 
@@ -83,7 +141,9 @@ class PinnedBodies {
     return gaps(q, nullptr).cwiseAbs().maxCoeff();
   }
 
-  /// The gaps at the joints, x and y of each, and where asked for their derivatives.
+  /// The gaps at the joints, and where asked for their derivatives: x and y of a pin; of a slide
+  /// the distance of its place on the second link from the line on the first one, and twice the
+  /// sine of half the angle between the links.
   [[nodiscard]] Eigen::VectorXd gaps(const Eigen::VectorXd& q, Eigen::MatrixXd* jacobian) const {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(size_);
     if (jacobian != nullptr) {
@@ -91,6 +151,10 @@ class PinnedBodies {
     }
     for (std::size_t joint = 0; joint < chain_.size(); ++joint) {
       const auto row = 2 * static_cast<Eigen::Index>(joint);
+      if (lines_[joint] != 0.0) {
+        put_slide(joint, q, result, jacobian);
+        continue;
+      }
       for (const auto& [link, sign] :
            {std::pair{chain_[joint].first, 1.0}, {chain_[joint].second, -1.0}}) {
         if (link == ground_) {
@@ -116,8 +180,15 @@ class PinnedBodies {
   /// at the first one, and its x-axis leads to the second one.
   [[nodiscard]] Eigen::VectorXd coordinates(const mechanism::Configuration& configuration) const {
     Eigen::VectorXd q(size_);
+    const bool has_slides = have_slides(lines_);
     for (int link = 0; link < static_cast<int>(size_ / 3) + 1; ++link) {
       if (link == ground_) {
+        continue;
+      }
+      const Pose<double>& pose = configuration.link("L" + std::to_string(link)).pose;
+      if (has_slides) {
+        q.segment<3>(first_of(link)) << pose.x, pose.y,
+            std::atan2(pose.direction.sin, pose.direction.cos);
         continue;
       }
       std::vector<Complex> points;
@@ -126,7 +197,6 @@ class PinnedBodies {
           points.push_back(places_[joint]);
         }
       }
-      const Pose<double>& pose = configuration.link("L" + std::to_string(link)).pose;
       const Complex axis = (points[1] - points[0]) / std::abs(points[1] - points[0]);
       const Complex turn = Complex(pose.direction.cos, pose.direction.sin) / axis;
       const Complex at = Complex(pose.x, pose.y) - turn * points[0];
@@ -142,8 +212,38 @@ class PinnedBodies {
     return 3L * (link - (link > ground_ ? 1 : 0));
   }
 
+  void put_slide(std::size_t joint, const Eigen::VectorXd& q, Eigen::VectorXd& result,
+                 Eigen::MatrixXd* jacobian) const {
+    const Complex i(0, 1);
+    const auto row = 2 * static_cast<Eigen::Index>(joint);
+    const auto [first, second] = chain_[joint];
+    const auto angle_of = [&](int link) { return link == ground_ ? 0 : q(first_of(link) + 2); };
+    const auto arm_of = [&](int link) { return std::polar(1.0, angle_of(link)) * places_[joint]; };
+    const auto place_of = [&](int link) {
+      return link == ground_ ? arm_of(link)
+                             : Complex(q(first_of(link)), q(first_of(link) + 1)) + arm_of(link);
+    };
+    const Complex along = std::polar(1.0, angle_of(first)) * lines_[joint];
+    const Complex by = place_of(second) - place_of(first);
+    const double half = (angle_of(first) - angle_of(second)) / 2;
+    const auto across = [&](const Complex& of) { return (std::conj(along) * of).imag(); };
+    result(row) = across(by);
+    result(row + 1) = 2 * std::sin(half);
+    for (const auto& [link, sign] : {std::pair{first, -1.0}, {second, 1.0}}) {
+      if (jacobian != nullptr && link != ground_) {
+        const Eigen::Index column = first_of(link);
+        (*jacobian)(row, column) = sign * across(1);
+        (*jacobian)(row, column + 1) = sign * across(i);
+        (*jacobian)(row, column + 2) =
+            sign * across(i * arm_of(link)) - (link == first ? across(i * by) : 0);
+        (*jacobian)(row + 1, column + 2) = -sign * std::cos(half);
+      }
+    }
+  }
+
   const Chain& chain_;
   const Places& places_;
+  Lines lines_;
   int ground_;
   Eigen::Index size_;
 };

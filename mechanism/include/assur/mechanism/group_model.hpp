@@ -3,6 +3,7 @@
 
 #include <array>
 #include <assur/loops/elimination.hpp>
+#include <assur/loops/start.hpp>
 #include <assur/model_tables.hpp>
 #include <string>
 #include <vector>
@@ -39,7 +40,8 @@ struct GroupModel {
   const ModelKernel* kernel;  ///< its functions
   /// Of a derived model: the ways to all of its complex configurations, the smallest first.
   std::vector<loops::Elimination> eliminations;
-  std::vector<int> slide_angles;  ///< along which its displacements run, as in `LoopEquations`
+  std::vector<loops::Start> starts;  ///< where there are none: the ways from other numbers
+  std::vector<int> slide_angles;     ///< along which its displacements run, as in `LoopEquations`
 
   [[nodiscard]] bool is_derived() const { return number == 0; }
 };
@@ -63,8 +65,8 @@ struct GroupModels {
 /// The largest group that is solved.
 inline constexpr std::size_t most_links_of_group = 8;
 /// The model of a group with these joints among some links, derived from its graph when it is asked
-/// for first; it lasts as long as the process. Null where the group has no isolated configuration,
-/// or has slides in more than two directions: `obstacle` then tells which.
+/// for first; it lasts as long as the process. Null where the group has no isolated configuration:
+/// `obstacle` then tells why.
 [[nodiscard]] const GroupModel* derived_model(int link_count, const std::vector<ModelJoint>& joints,
                                               std::string& obstacle);
 
@@ -74,7 +76,7 @@ inline constexpr std::size_t most_links_of_group = 8;
 struct GroupProof {
   int boxes = 0;         ///< disjoint balls that were found
   int of = 0;            ///< complex configurations that there are in general position
-  double radius = 0;     ///< of this configuration's ball: radians, and parts of the group's size
+  double radius = 0;     ///< its ball's: radians, and parts of the size or of a longer displacement
   std::string obstacle;  ///< why this configuration is in no ball; empty where it is in one
 
   [[nodiscard]] bool is_complete() const { return obstacle.empty() && boxes == of; }

@@ -5,6 +5,7 @@
 #include <array>
 #include <assur/loops/hidden_angle.hpp>
 #include <assur/loops/loop_equations.hpp>
+#include <assur/loops/parameter_path.hpp>
 #include <assur/loops/settling.hpp>
 #include <cmath>
 #include <limits>
@@ -38,7 +39,8 @@ class BoundedList<Item, Eigen::Dynamic> : public std::vector<Item> {
 
 /// A configuration, as Newton's method has settled it, and a ball about it where Krawczyk's
 /// operator is a contraction, with bounds for all roundings. The ball is measured by the largest of
-/// the moduli of the angles' errors and of the displacements' errors in parts of the group's size.
+/// the moduli of the angles' errors and of the displacements' errors, in parts of the group's size
+/// or of a displacement that is longer.
 /// Within `holds` of the configuration there is one exact solution of the equations as they stand
 /// in doubles, and within `alone` no other one.
 template <typename Of>
@@ -82,10 +84,10 @@ struct ClosureBounds {
   typename Of::Closures bending;   ///< of its second derivatives, along two vectors of length one
 };
 
-/// With z = (angles, displacements) the second derivatives of a closure are sums of - a theta_c,
-/// along c twice, and i b theta_c, along c and s; in a ball of radius `reach` no theta, nor its
-/// reciprocal, grows by more than exp(reach). Products, sums and exponentials of a group of this
-/// size are rounded less than `operations` times.
+/// With z = (angles, displacements in their units) the second derivatives of a closure are sums of
+/// - a theta_c, along c twice, and i b theta_c, along c and s; in a ball of radius `reach` no theta,
+/// nor its reciprocal, grows by more than exp(reach). Products, sums and exponentials of a group of
+/// this size are rounded less than `operations` times.
 template <typename Of>
 [[nodiscard]] ClosureBounds<Of> bounds_of(const LoopEquations<Of>& equations,
                                           const ComplexConfiguration<Of>& at, double reach) {
@@ -111,8 +113,9 @@ template <typename Of>
         const int angle = equations.slide_angles(slide);
         const double along = std::abs(equations.of_slides(loop, slide)) * size_of(angle);
         const double length = std::abs(at.s(slide));
-        terms += along * (std::max)(1.0, length);
-        bending += angle > 0 ? along * (length + reach + 2) : 0;
+        const double unit = unit_of(at.s(slide));
+        terms += along * unit;
+        bending += angle > 0 ? along * (length + unit * (reach + 2)) : 0;
       }
       const Eigen::Index closure = conjugate ? loops + loop : loop;
       result.rounding(closure) = operations * epsilon * terms;
@@ -129,12 +132,16 @@ template <typename Of>
   return (open.array() <= bounds_of(equations, at, 0).rounding.array()).all();
 }
 
-/// The largest difference of two configurations, angles and displacements alike; turns are
-/// measured by the ratio of the directions.
+/// The largest difference of two configurations, angles and displacements alike, in the larger of
+/// their units; turns are measured by the ratio of the directions.
 template <typename Of>
 [[nodiscard]] double distance_between(const ComplexConfiguration<Of>& one,
                                       const ComplexConfiguration<Of>& other) {
-  double result = norm_of(one.s - other.s);
+  double result = 0;
+  for (Eigen::Index slide = 0; slide < one.s.size(); ++slide) {
+    const double unit = (std::max)(unit_of(one.s(slide)), unit_of(other.s(slide)));
+    result = (std::max)(result, std::abs(one.s(slide) - other.s(slide)) / unit);
+  }
   for (Eigen::Index angle = 1; angle < one.theta.size(); ++angle) {
     const Complex ratio = one.theta(angle) / other.theta(angle);
     result = (std::max)(result, std::abs(std::log(ratio)));
@@ -147,12 +154,14 @@ template <typename Of>
   return {of.theta.conjugate().cwiseInverse(), of.s.conjugate()};
 }
 
-/// Whether a direction or its reciprocal is zero to rounding, or to the root of a rounding where
-/// two eigenvalues meet: the configuration is at infinity.
+/// Whether a direction, or the reciprocal of one or of a displacement in parts of the size, is zero
+/// to rounding, or to the root of a rounding where two eigenvalues meet: the configuration is at
+/// infinity.
 template <typename Of>
 [[nodiscard]] bool is_at_infinity(const ComplexConfiguration<Of>& at) {
   const auto sizes = at.theta.cwiseAbs();
-  return !(sizes.minCoeff() > std::sqrt(epsilon) * sizes.maxCoeff());
+  const double zero = std::sqrt(epsilon);
+  return !(sizes.minCoeff() > zero * sizes.maxCoeff() && norm_of(at.s) * zero < 1);
 }
 
 /// Newton's steps in the unit of the group; false where they do not settle.
@@ -189,7 +198,10 @@ template <typename Of>
 template <typename Of>
 [[nodiscard]] bool enclose(const LoopEquations<Of>& equations, Enclosed<Of>& ball) {
   using Square = typename Of::ComplexSquare;
-  const Square jacobian = jacobian_at(equations, ball.at);
+  Square jacobian = jacobian_at(equations, ball.at);
+  for (Eigen::Index slide = 0; slide < ball.at.s.size(); ++slide) {
+    jacobian.col(equations.angle_count() + slide) *= unit_of(ball.at.s(slide));
+  }
   const Square one = Square::Identity(jacobian.rows(), jacobian.cols());
   const Square inverse = solved<Of>(jacobian, one);
   if (!inverse.allFinite()) {
@@ -219,12 +231,11 @@ template <typename Of>
   return ball.holds <= ball.alone;
 }
 
-/// Searches by one elimination after another until `complex_count` balls are found, or all
-/// eliminations are used.
-template <typename Of, typename Eliminations>
+/// Searches by one way after another, each an `Elimination` or a `Start`, until `complex_count`
+/// balls are found, or all ways are used.
+template <typename Of, typename Ways>
 [[nodiscard]] AllConfigurations<Of> all_configurations(const LoopEquations<Of>& equations,
-                                                       const Eliminations& eliminations,
-                                                       int complex_count) {
+                                                       const Ways& ways, int complex_count) {
   const double unit = equations.size();
   LoopEquations<Of> own = equations;  // displacements, and closures, in parts of the size
   own.of_angles /= unit;
@@ -235,6 +246,9 @@ template <typename Of, typename Eliminations>
     }
     Enclosed<Of> ball{near, 0, 0, false};
     const bool is_settled = polish(own, ball.at);
+    if (is_at_infinity(ball.at)) {
+      return;
+    }
     if (!is_settled || !enclose(own, ball)) {
       if (!closes(own, ball.at)) {  // where J is singular, Newton's steps may not settle
         ball.at = settled(own, made_real(near));
@@ -253,8 +267,8 @@ template <typename Of, typename Eliminations>
     }
     result.enclosed.push_back(ball);
   };
-  for (const Elimination& elimination : eliminations) {
-    each_candidate<Of>(own, elimination, found);
+  for (const auto& way : ways) {
+    each_candidate<Of>(own, way, found);
     if (result.count() >= complex_count) {
       break;
     }

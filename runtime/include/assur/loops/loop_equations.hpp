@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
@@ -89,6 +90,10 @@ struct ComplexConfiguration {
   typename Of::Directions theta;  ///< of each angle, the base's first
   typename Of::Displacements s;   ///< of each displacement
 };
+
+/// What errors of a displacement, in parts of the size, are measured by: slides that are almost
+/// parallel make it long, and then its error, too.
+[[nodiscard]] inline double unit_of(const Complex& s) { return (std::max)(1.0, std::abs(s)); }
 
 /// The closures of the loops, and then their conjugates, in a complex configuration.
 template <typename Of>

@@ -117,11 +117,10 @@ class UnprovenConfigurations {
 };
 
 /// The real configurations of a group with `complex_count` complex ones in general position.
-template <typename Of, typename Eliminations>
+template <typename Of, typename Ways>
 [[nodiscard]] RealConfigurations<Of> real_configurations(const LoopEquations<Of>& equations,
-                                                         const Eliminations& eliminations,
-                                                         int complex_count) {
-  const AllConfigurations<Of> all = all_configurations(equations, eliminations, complex_count);
+                                                         const Ways& ways, int complex_count) {
+  const AllConfigurations<Of> all = all_configurations(equations, ways, complex_count);
   RealConfigurations<Of> result;
   result.complex_count = all.count();
   for (const Enclosed<Of>& one : all.enclosed) {

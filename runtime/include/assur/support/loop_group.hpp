@@ -110,7 +110,7 @@ struct LoopGroup {
       return;
     }
     const loops::RealConfigurations<Of> found =
-        loops::real_configurations(equations, Model::eliminations, Model::max_configurations);
+        loops::real_configurations(equations, ways_of<Model>(), Model::max_configurations);
     const double unsure = unsure_jacobian<Model>(d, u, displaced);
     for (const loops::ComplexConfiguration<Of>& at : found.list) {
       auto& q = detail::entry(result.configurations, result.count);
@@ -136,6 +136,15 @@ struct LoopGroup {
   }
 
  private:
+  /// A group has eliminations, or starts where it has none.
+  template <typename Model>
+  [[nodiscard]] static constexpr const auto& ways_of() {
+    if constexpr (Model::eliminations.empty()) {
+      return Model::starts;
+    } else {
+      return Model::eliminations;
+    }
+  }
   template <typename Scalar, typename Inputs, typename Configuration>
   [[nodiscard]] static auto jacobian_at(const Inputs& u, const Configuration& q) {
     Matrix<Scalar, Group::equation_count, Group::unknown_count> J;

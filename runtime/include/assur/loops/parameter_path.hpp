@@ -1,0 +1,135 @@
+// Complex configurations of a group, continued from those of the same group with other numbers.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <assur/loops/loop_equations.hpp>
+#include <assur/loops/small_systems.hpp>
+#include <assur/loops/start.hpp>
+#include <cmath>
+#include <limits>
+
+namespace assur::loops {
+
+/// The closures H(z, t) = turn (1 - t) f(z) + t g(z) that lead from those of some numbers, f, to
+/// those of others, g, and the paths of their configurations z(t), 0 <= t <= 1. Closures are linear
+/// in a group's numbers, so that every H is of the same group, with complex numbers; for almost
+/// every `turn` no two paths meet before t = 1.
+template <typename Of>
+class ParameterPath {
+  using At = ComplexConfiguration<Of>;
+  using Step = typename Of::ComplexClosures;
+
+ public:
+  ParameterPath(const LoopEquations<Of>& from, const LoopEquations<Of>& to, const Complex& turn)
+      : from_(from), to_(to), turn_(turn) {}
+
+  /// Follows the path of a configuration as far as steps lead: to t = 1, or to where it comes close
+  /// to a multiple configuration or to infinity there. Whether it is at t = 1.
+  bool follow(At& at) const {
+    constexpr int most_steps = 400;  // paths take some 20
+    constexpr double first_step = 0.05;
+    constexpr double shortest_step = 1e-10;  // of t, near which rounding bends a path
+    double t = 0;
+    double length = first_step;
+    for (int step = 0; step < most_steps && length > shortest_step; ++step) {
+      const double next_t = length < 1 - t ? t + length : 1.0;
+      At next = predicted(at, t, next_t - t);
+      const double missed = corrected(next, next_t);
+      const double grown = goal / missed;  // the error is of order five in the length
+      if (!(missed <= most_missed)) {
+        length = (next_t - t) / 2;
+        continue;
+      }
+      at = next;
+      t = next_t;
+      if (t >= 1) {
+        return true;
+      }
+      length *= (std::min)(2.0, std::pow(grown, 0.2));
+    }
+    return false;
+  }
+
+ private:
+  // Newton's first step after a prediction, in radians and parts of the size: what the second one
+  // leaves is as its fourth power.
+  static constexpr double goal = 1e-3, most_missed = 1e-2;
+
+  /// dz/dt = -(dH/dz)^-1 (g - turn f).
+  [[nodiscard]] Step rate(const At& at, double t) const {
+    const Step by_t = closures_at(to_, at) - turn_ * closures_at(from_, at);
+    return -solved<Of>(jacobian(at, t), by_t);
+  }
+  [[nodiscard]] typename Of::ComplexSquare jacobian(const At& at, double t) const {
+    return turn_ * (1 - t) * jacobian_at(from_, at) + t * jacobian_at(to_, at);
+  }
+  [[nodiscard]] Step newton_step(const At& at, double t) const {
+    const Step open = turn_ * (1 - t) * closures_at(from_, at) + t * closures_at(to_, at);
+    return -solved<Of>(jacobian(at, t), open);
+  }
+
+  /// Runge and Kutta's step of order four.
+  [[nodiscard]] At predicted(const At& at, double t, double length) const {
+    const Step first = rate(at, t);
+    const Step second = rate(stepped<Of>(at, length / 2 * first), t + length / 2);
+    const Step third = rate(stepped<Of>(at, length / 2 * second), t + length / 2);
+    const Step last = rate(stepped<Of>(at, length * third), t + length);
+    return stepped<Of>(at, length / 6 * (first + 2 * second + 2 * third + last));
+  }
+
+  /// Two of Newton's steps; the length of the first one, and NaN where the second one is not much
+  /// shorter, which tells that they lead to the path (Kantorovich).
+  [[nodiscard]] double corrected(At& at, double t) const {
+    const Step first = newton_step(at, t);
+    at = stepped<Of>(at, first);
+    const Step second = newton_step(at, t);
+    at = stepped<Of>(at, second);
+    const double length = length_of(first, at);
+    const double left = length_of(second, at);
+    constexpr double rounding = 1e-11;
+    return left <= (std::max)(length / 8, rounding) ? (std::max)(length, rounding)
+                                                    : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// The largest turn of a step, or part of a displacement where that is longer than the size.
+  [[nodiscard]] static double length_of(const Step& step, const At& at) {
+    double result = 0;
+    const Eigen::Index angles = step.size() - at.s.size();
+    for (Eigen::Index entry = 0; entry < step.size(); ++entry) {
+      const double unit = entry < angles ? 1 : unit_of(at.s(entry - angles));
+      const double length = std::abs(step(entry)) / unit;
+      result = length <= result ? result : length;  // NaN counts as the largest
+    }
+    return result;
+  }
+
+  const LoopEquations<Of>& from_;
+  const LoopEquations<Of>& to_;
+  Complex turn_;
+};
+
+/// Calls `visit(configuration)` for approximate complex configurations: all in general position,
+/// and some that close nothing where there are fewer.
+template <typename Of, typename Visit>
+void each_candidate(const LoopEquations<Of>& equations, const Start& start, const Visit& visit) {
+  const Eigen::Index angles = equations.of_angles.cols();
+  const Eigen::Index slides = equations.slide_count();
+  LoopEquations<Of> from = equations;
+  std::copy_n(start.of_angles, from.of_angles.size(), from.of_angles.data());
+  std::copy_n(start.of_slides, from.of_slides.size(), from.of_slides.data());
+  const ParameterPath<Of> path(from, equations, start.turn);
+  ComplexConfiguration<Of> at;
+  at.theta.resize(angles);
+  at.s.resize(slides);
+  for (Eigen::Index one = 0; one < start.configurations; ++one) {
+    std::copy_n(start.theta + one * angles, angles, at.theta.data());
+    std::copy_n(start.s + one * slides, slides, at.s.data());
+    (void)path.follow(at);
+    if (at.theta.allFinite() && at.s.allFinite()) {
+      visit(at);
+    }
+  }
+}
+
+}  // namespace assur::loops
