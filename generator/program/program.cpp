@@ -100,12 +100,12 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
   }
   for (const equations::NamedQuantity& quantity : named) {
     if (const NodeIndex node = graph_.add(polynomial(quantity.symbol, order)).node; read[node]) {
-      schedule(node);
+      schedule(node, order);
     }
   }
   for (std::size_t index = 0; index < targets.size(); ++index) {
     assignments_.push_back({targets[index], roots[named.size() + index]});
-    schedule(assignments_.back().value.node);
+    schedule(assignments_.back().value.node, order);
   }
 }
 
@@ -154,7 +154,7 @@ bool Program::put_names(const std::vector<equations::NamedQuantity>& named,
   return graph_.put_symbols(roots, symbols);
 }
 
-void Program::schedule(NodeIndex node) {
+void Program::schedule(NodeIndex node, const SymbolOrder& order) {
   if (done_[node]) {
     return;
   }
@@ -163,20 +163,22 @@ void Program::schedule(NodeIndex node) {
   if (content.operation == Operation::symbol) {
     const auto definition = definitions_.find(names_[node]);
     if (definition != definitions_.end()) {
-      schedule(definition->second.value.node);
+      schedule(definition->second.value.node, order);
       steps_.push_back(definition->second);
     }
     return;
   }
   for (const NodeIndex factor : content.factors) {
-    schedule(factor);
+    schedule(factor, order);
   }
   for (const ScaledNode& term : content.terms) {
-    schedule(term.node);
+    schedule(term.node, order);
   }
   if (shared_[node]) {
-    ++temporaries_;
-    names_[node] = (temporaries_ < 10 ? "t0" : "t") + std::to_string(temporaries_);
+    do {
+      ++temporaries_;
+      names_[node] = (temporaries_ < 10 ? "t0" : "t") + std::to_string(temporaries_);
+    } while (order.declares(names_[node]));
     steps_.push_back({names_[node], {1, node}, equations::NamedQuantity::Form::itself, ""});
   }
 }

@@ -75,7 +75,7 @@ class Program {
                                                 const std::string& name) const;
   /// The steps and assignments whose names and targets are in both or in one of two programs.
   [[nodiscard]] Program filtered(const Program& other, bool in_both) const;
-  void schedule(NodeIndex node);
+  void schedule(NodeIndex node, const SymbolOrder& order);
 
   ExpressionGraph graph_;
   std::vector<Step> steps_;

@@ -31,6 +31,7 @@ class SymbolOrder {
   /// Makes a declared symbol a named constant: programs hold it in their coefficients.
   void set_constant(const GiNaC::symbol& symbol, const GiNaC::numeric& value);
 
+  [[nodiscard]] bool declares(const std::string& name) const { return ranks_.contains(name); }
   /// The rank of a declared symbol; throws GeneratorError for any other.
   [[nodiscard]] SymbolRank rank(const GiNaC::symbol& symbol) const;
   [[nodiscard]] const GiNaC::symbol& symbol(SymbolRank rank) const { return entries_[rank].symbol; }
