@@ -5,6 +5,7 @@
 #include <assur/local/singular_point.hpp>
 #include <assur/support/redundant.hpp>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "group_by_group.hpp"
@@ -97,10 +98,6 @@ class MotionSearch {
     if (F_.rows() < F_.unknowns()) {
       return {};
     }
-    if (F_.is_at_rest()) {
-      add(place_, Eigen::VectorXd::Zero(F_.unknowns()), true);
-      return std::move(found_);
-    }
     if (F_.rows() > F_.unknowns() || !begin_group_by_group()) {
       settle();
       if (!begin()) {
@@ -126,7 +123,8 @@ class MotionSearch {
   /// and its own.
   struct Cone {
     Eigen::MatrixXd N, W;
-    double noise;  ///< of the coefficients
+    double noise;       ///< of the coefficients
+    double most_error;  ///< of a root that is told, in parts of it
     std::vector<Level> levels = {};
     QuadraticEquations equations = {};
   };
@@ -317,7 +315,7 @@ class MotionSearch {
              const Root longer = lengthened(cone, before, level, here, root);
              const double size = cone.N.middleCols(before.x.size(), root.size()).norm();
              const double error = longer.error.tail(root.size()).maxCoeff() * size;
-             return error < two_digits_lost * std::max(1.0, root.norm() * size) &&
+             return error < cone.most_error * std::max(1.0, root.norm() * size) &&
                     descend(cone, depth + 1, longer, roots);
            });
   }
@@ -353,7 +351,7 @@ class MotionSearch {
 
   /// Adds the motions along the tangents at which W' f_2 vanishes.
   void add_motions_of_cone() {
-    Cone cone{N_, W_, noise_};
+    Cone cone{N_, W_, noise_, two_digits_lost};
     const auto tangents = roots_of(cone, [this](const Eigen::VectorXd& by) {
       Parts parts = start_;
       parts.col(1) += by;
@@ -400,9 +398,11 @@ class MotionSearch {
       add(parts, second, false);
       return;
     }
-    // Tangents at which several of them coincide are known to the square root of rounding.
+    // Tangents at which several of them coincide are known to the square root of rounding, which
+    // is a pessimistic bound where they are zero, as those of what is at rest.
     Cone next{cone.N * M.matrixV().rightCols(unknowns - rank), cone.W * unreached,
-              std::max(std::sqrt(cone.noise), tangent.error.maxCoeff())};
+              std::max(std::sqrt(cone.noise), tangent.error.maxCoeff()),
+              std::numeric_limits<double>::infinity()};
     const auto roots = roots_of(next, [&](const Eigen::VectorXd& by) {
       Parts moved = parts;
       moved.col(2) = second + cone.N * part + by;
