@@ -85,9 +85,9 @@ struct ClosureBounds {
 };
 
 /// With z = (angles, displacements in their units) the second derivatives of a closure are sums of
-/// - a theta_c, along c twice, and i b theta_c, along c and s; in a ball of radius `reach` no theta,
-/// nor its reciprocal, grows by more than exp(reach). Products, sums and exponentials of a group of
-/// this size are rounded less than `operations` times.
+/// - a theta_c, along c twice, and i b theta_c, along c and s; in a ball of radius `reach` no
+/// theta, nor its reciprocal, grows by more than exp(reach). Products, sums and exponentials of a
+/// group of this size are rounded less than `operations` times.
 template <typename Of>
 [[nodiscard]] ClosureBounds<Of> bounds_of(const LoopEquations<Of>& equations,
                                           const ComplexConfiguration<Of>& at, double reach) {
