@@ -14,7 +14,7 @@ namespace assur::mechanism::solve {
 void find_branches(const Values& values, Configuration& configuration);
 
 /// Finds the derivatives of the links and slides of a configuration with respect to a parameter
-/// that moves drivers alone, from all constraints together, if these determine them to two digits.
+/// that moves drivers alone, from all constraints together, if these determine them to one digit.
 /// They lose fewer digits than group by group, where the rounding of each is passed on to the next.
 void find_derivatives(const Values& values, const PlacedLinks& placed, ParameterIndex parameter,
                       Configuration& configuration);

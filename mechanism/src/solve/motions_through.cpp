@@ -48,8 +48,8 @@ class ConstraintsInPlace {
   const MovingConstraints& F_;
 };
 
-/// Turns columns into others of the same span, of which those in `first` at a block are zero in
-/// every block before it, and have unit length in theirs. `block_of` tells the block of each row.
+/// Turns columns into others of the same span, each of which belongs to a block: it is zero in
+/// every block before that one, and has unit length there. `block_of` tells the block of each row.
 /// Returns the block of each column.
 template <typename Blocks>
 std::vector<std::size_t> bring_to_echelon_form(const std::vector<std::size_t>& block_of,
@@ -124,7 +124,7 @@ class MotionSearch {
   struct Cone {
     Eigen::MatrixXd N, W;
     double noise;       ///< of the coefficients
-    double most_error;  ///< of a root that is told, in parts of it
+    double most_error;  ///< of roots that are told, in parts of them
     std::vector<Level> levels = {};
     QuadraticEquations equations = {};
   };
@@ -243,8 +243,8 @@ class MotionSearch {
     return level.unknowns == 0 && std::ssize(of_unknowns) == cone.N.cols();
   }
 
-  /// The roots of a cone whose equations are W' `function`(N x), to two digits; nothing where these
-  /// are not known.
+  /// The roots of a cone whose equations are W' `function`(N x); nothing where one of them is not
+  /// known to `most_error`.
   template <typename Function>
   [[nodiscard]] std::optional<std::vector<Root>> roots_of(Cone& cone,
                                                           const Function& function) const {
@@ -297,7 +297,7 @@ class MotionSearch {
   }
 
   /// Solves the levels of a cone from one on, where `before` has the unknowns of those before.
-  /// False where some roots are not known to two digits.
+  /// False where some roots are not known to `most_error`.
   [[nodiscard]] static bool descend(const Cone& cone, std::size_t depth, const Root& before,
                                     std::vector<Root>& roots) {
     if (depth == cone.levels.size()) {

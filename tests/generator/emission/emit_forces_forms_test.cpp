@@ -125,41 +125,17 @@ TEST(EmitForces, FollowVariableParameters) {
   const auto printing = [](const std::string& solver, const std::string& given) {
     return "#include <cstdio>\n#include <assur/scenes/" + solver +
            ".hpp>\nint main() {\n  using S = assur::scenes::" + struct_of(solver) +
-           ";\n  std::array<S::State<double>, S::max_configurations> states;\n  const auto found "
-           "= " +
-           "S::solve(S::Drivers<double>{}" + given +
-           R"cpp(                                                                                     , states);
-                                                                                                      for (
-                                                                                                          int i =
-                                                                                                              0;
-                                                                                                          i <
-                                                                                                          found
-                                                                                                              .count;
-                                                                                                          ++i) {
-                                                                                                        const auto& s = states
-                                                                                                            [static_cast<
-                                                                                                                std::
-                                                                                                                    size_t>(
-                                                                                                                i)];
-                                                                                                        std::printf(
-                                                                                                            "%.9g "
-                                                                                                            "%.9g "
-                                                                                                            "%.9g "
-                                                                                                            "%.9g\n",
-                                                                                                            s.efforts
-                                                                                                                .A,
-                                                                                                            s.forces
-                                                                                                                .S
-                                                                                                                .moment,
-                                                                                                            s.forces
-                                                                                                                .C
-                                                                                                                .rod(
-                                                                                                                    0),
-                                                                                                            s.ground
-                                                                                                                .moment);
-                                                                                                      }
-                                                                                                      }
-           )cpp";
+           R"(;
+  std::array<S::State<double>, S::max_configurations> states;
+  const auto found = S::solve(S::Drivers<double>{})" +
+           given + R"(, states);
+  for (int i = 0; i < found.count; ++i) {
+    const auto& s = states[static_cast<std::size_t>(i)];
+    std::printf("%.9g %.9g %.9g %.9g\n", s.efforts.A, s.forces.S.moment, s.forces.C.rod(0),
+                s.ground.moment);
+  }
+}
+)";
   };
   const std::string told =
       run_program("variable", json, printing("variable", ", S::Parameters<double>{2.5, 1, 3.1}"),
