@@ -98,6 +98,10 @@ class MotionSearch {
     if (F_.rows() < F_.unknowns()) {
       return {};
     }
+    if (F_.is_at_rest()) {
+      add(place_, Eigen::VectorXd::Zero(F_.unknowns()), true);
+      return std::move(found_);
+    }
     if (F_.rows() > F_.unknowns() || !begin_group_by_group()) {
       settle();
       if (!begin()) {

@@ -98,6 +98,7 @@ void MovingConstraints::choose_unit_of_time() {
     consider(feature.direction.cos, 1);
     consider(feature.direction.sin, 1);
   }
+  is_at_rest_ = fastest == 0 && coefficient(3, still).isZero(0) && coefficient(4, still).isZero(0);
   unit_ = fastest > 0 && std::isfinite(fastest) ? 1 / fastest : 1;
 }
 

@@ -33,6 +33,9 @@ class MovingConstraints {
   /// By how much rounding of places and features changes F.
   [[nodiscard]] double rounding() const { return constraints_.rounding(); }
 
+  /// Whether nothing moves the mechanism: it rests, however many motions pass through its place.
+  [[nodiscard]] bool is_at_rest() const { return is_at_rest_; }
+
   /// The coefficient of F at an order of t, for a motion with these parts.
   [[nodiscard]] Eigen::VectorXd coefficient(Eigen::Index order, const Parts& parts) const;
   /// F'(q), the derivative with respect to q.
@@ -73,6 +76,7 @@ class MovingConstraints {
   std::vector<Eigen::Index> reading_;               ///< of drivers whose laws read moving joints
   AllConstraints::Blocks blocks_;
   double unit_ = 1;  ///< of t
+  bool is_at_rest_ = false;
 };
 
 }  // namespace assur::mechanism::solve

@@ -496,6 +496,29 @@ TEST(Forces, OfAnEngineAreThosePrintedByBeerAndJohnston) {
   EXPECT_NEAR(force[1], 2050, 5);
 }
 
+/// Beer and Johnston, Vector Mechanics for Engineers, Statics, problem 6.133(a): the Whitworth
+/// mechanism with the crank AB, 0.1 m, in line with the slotted member CD, which B divides at 0.5 m
+/// from C. The solution finds that the slot pushes the block with 1680 N against 1200 N across CD
+/// at 0.7 m from C, so that the couple at A is 1680 N times 0.1 m.
+TEST(Forces, OfAWhitworthMechanismAreThosePrintedByBeerAndJohnston) {
+  const Solved found = solved(Json::parse(R"({
+    "links": {"ground": {"A": [0, 0.4], "C": [0, 0]}, "crank": {"A": [0, 0], "B": [0.1, 0]},
+      "member": {"C": [0, 0], "D": [0.7, 0], "slot": {"through": [0, 0], "along": [1, 0]}}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]},
+      "B": {"type": "pin-in-slot", "between": ["member.slot", "crank.B"]},
+      "C": {"type": "revolute", "between": ["ground.C", "member.C"]}},
+    "drivers": {"A": {"position": "90*deg"}},
+    "loads": {"P": {"at": "member.D", "force": [0, 1200], "frame": "member"}},
+    "want": ["position", "forces"]})"));
+  ASSERT_FALSE(found.configurations().empty());
+  for (const Configuration& configuration : found.configurations()) {
+    const mechanism::Forces forces = mechanism::forces_of(found.values, configuration);
+    const auto block = std::ranges::find(forces.joints, "B", &mechanism::JointForce::joint);
+    EXPECT_NEAR(block->on[1].second.norm(), 1680, 1e-9);
+    EXPECT_NEAR(std::abs(forces.efforts[mechanism::DriverIndex(0)]), 168, 1e-10);
+  }
+}
+
 /// Three equal cranks, of which the joints of one are left out: all have coefficients by the angle
 /// of the first, and the order of `between` tells on which link a force acts.
 TEST(Forces, OfRedundantJointsFollowTheOrderOfBetween) {
@@ -723,6 +746,14 @@ TEST(Forces, ThatDependOnTheWayToAChangePointAreNotTold) {
     }
     EXPECT_LT(nearest, 1e-2);
     EXPECT_TRUE(force_in(forces, "N").allFinite());
+  }
+  // Where the dyad is stretched, too, all is still at rest: the ground carries the weight.
+  scene["links"]["ground"]["N"] = {11, 1};
+  const std::vector<mechanism::Forces> stretched = forces_at(0);
+  EXPECT_FALSE(stretched.empty());
+  for (const mechanism::Forces& forces : stretched) {
+    EXPECT_FALSE(force_in(forces, "N").allFinite());
+    EXPECT_NEAR(forces.ground.force.y(), -4.5 * 9.81, 1e-12);
   }
 }
 
