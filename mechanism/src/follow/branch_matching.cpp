@@ -96,11 +96,22 @@ class Matcher {
     }
     // Two branches that cross half-way would have no defect either if they turned back there. The
     // turn shows that they go straight on.
-    Eigen::MatrixXd bends(left_.count(), right_.count());
+    Eigen::MatrixXd bends = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(left_.count()),
+                                                      static_cast<Eigen::Index>(right_.count()),
+                                                      std::numeric_limits<double>::infinity());
     const Table<PointIndex, double> left_sizes = sizes_of(left_);
     const Table<PointIndex, double> right_sizes = sizes_of(right_);
+    const double largest = std::ranges::max(right_sizes);
+    // The defect is the distance of these.
+    const auto onward = [&](PointIndex point) -> Eigen::VectorXd {
+      return left_.points[point].at + step_ / 2 * left_.points[point].slope;
+    };
+    const OrderOnLine order(right_.count(), [&](PointIndex point) -> Eigen::VectorXd {
+      return right_.points[point].at - step_ / 2 * right_.points[point].slope;
+    });
     for (const PointIndex from : left_.points.keys()) {
-      for (const PointIndex to : right_.points.keys()) {
+      const double farthest = longest_bend * (1 + std::max(left_sizes[from], largest));
+      for (const auto& [place, to] : order.within(farthest, OrderOnLine::place_of(onward(from)))) {
         const double most = longest_bend * (1 + std::max(left_sizes[from], right_sizes[to]));
         bends(from.row(), to.row()) = bend_up_to(most, left_.points[from], right_.points[to]);
       }
@@ -134,25 +145,33 @@ class Matcher {
 
   void list_touching() {
     Table<PointIndex, double> bends(left_.count(), 0.0);
-    Table<PointIndex, double> strays(left_.count(), 0.0);
-    for (const PointIndex one : left_.points.keys()) {
+    Table<PointIndex, double> reaches(left_.count(), 0.0);  // how far a match may leave its point
+    double farthest = 0;
+    for (const PointIndex point : left_.points.keys()) {
+      if (result_.to_right[point].exists()) {
+        bends[point] = bend(point);
+        reaches[point] = bends[point] + stray(point);
+        farthest = std::max(farthest, reaches[point]);
+      }
+    }
+    const OrderOnLine order(left_.count(),
+                            [&](PointIndex point) { return left_.points[point].at; });
+    for (const auto& [place, one] : order.places()) {
       if (!result_.to_right[one].exists()) {
         continue;
       }
-      bends[one] = bend(one);
-      strays[one] = stray(one);
-      for (const PointIndex other : left_.points.keys()) {
-        if (!(other < one) || !result_.to_right[other].exists()) {
-          continue;
-        }
-        const double limit = bends[one] + bends[other];
-        const double strayed = strays[one] + strays[other];
-        if (!is_apart(one, other, limit + strayed) && !is_far(one, other, limit) &&
-            !(clearance(one, other) > limit)) {
+      for (const auto& [other_place, other] : order.within(reaches[one] + farthest, place)) {
+        if (other < one && result_.to_right[other].exists() &&
+            !is_apart(one, other, reaches[one] + reaches[other]) &&
+            !is_far(one, other, bends[one] + bends[other]) &&
+            !(clearance(one, other) > bends[one] + bends[other])) {
           result_.touching.push_back({other, one});
         }
       }
     }
+    std::ranges::sort(result_.touching, [](const TouchingPair& a, const TouchingPair& b) {
+      return std::pair(a.other, a.one) < std::pair(b.other, b.one);
+    });
   }
 
   void list_turned() {

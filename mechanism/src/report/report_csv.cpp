@@ -221,7 +221,16 @@ void SweepRows::add(const SweepRecord& record, std::string& text) {
   report::add_number(record.parameter, text);
   report::add_cells(plan_, *record.spread, *record.state, angles,
                     report::told_forces(plan_, record), text);
-  text += "," + number(circuits_.of(record.branch)) + "," + record.event + "\n";
+  text += ",," + record.event + "\n";
+}
+
+void SweepRows::set_circuit(const Circuits& circuits, std::string& row) {
+  const std::size_t branch_cell = row.find(',', row.find(',') + 1) + 1;
+  int branch = 0;  // stays so where the cell is empty
+  (void)std::from_chars(row.data() + branch_cell, row.data() + row.size(), branch);
+  if (const int circuit = circuits.of(branch); circuit > 0) {
+    row.insert(row.rfind(','), std::to_string(circuit));
+  }
 }
 
 void SweepRows::unwrap(int branch, std::vector<double>& angles) {

@@ -415,13 +415,20 @@ std::vector<std::map<std::string, std::string>> table_of(const Json& json,
                                                          mechanism::SweepRows::Angles angles) {
   const mechanism::Scene scene = mechanism::parse_scene(json.dump(), "scene");
   const mechanism::Plan plan(scene);
-  mechanism::SweepRows rows(plan, swept_places(scene.mechanism, scene.request).circuits, angles);
+  mechanism::SweepRows rows(plan, angles);
   std::string text = csv_header(plan);
-  mechanism::sweep(plan, {[&](const mechanism::SweepRecord& row) { rows.add(row, text); }, {}, {}});
+  mechanism::Circuits circuits;
+  mechanism::sweep(plan, {[&](const mechanism::SweepRecord& row) { rows.add(row, text); },
+                          {},
+                          {},
+                          [&](const mechanism::Circuits& found) { circuits = found; }});
   std::vector<std::map<std::string, std::string>> table;
   std::vector<std::string> head;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
+    if (!head.empty()) {
+      mechanism::SweepRows::set_circuit(circuits, line);
+    }
     std::istringstream cells(line + ",");
     std::vector<std::string> row;
     for (std::string cell; std::getline(cells, cell, ',');) {

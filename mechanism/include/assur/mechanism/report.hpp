@@ -45,19 +45,21 @@ class SweepRows {
     unwrapped   ///< on each branch continued by whole turns from row to row
   };
 
-  /// Branches have no circuits where `circuits` does not name them.
-  SweepRows(const Plan& plan, Circuits circuits, Angles angles = Angles::principal)
-      : plan_(plan), circuits_(std::move(circuits)), angles_(angles) {}
+  explicit SweepRows(const Plan& plan, Angles angles = Angles::principal)
+      : plan_(plan), angles_(angles) {}
 
-  /// Adds one row to a text: a configuration on its branch, or an event.
+  /// Adds one row to a text: a configuration on its branch, or an event. The cell of its circuit is
+  /// empty, since any later event may join two circuits.
   void add(const SweepRecord& record, std::string& text);
+
+  /// Puts the circuit of its branch into a row; none if its branch has none.
+  static void set_circuit(const Circuits& circuits, std::string& row);
 
  private:
   /// Continues the angles of a row from those of the last row of its branch.
   void unwrap(int branch, std::vector<double>& angles);
 
   const Plan& plan_;
-  Circuits circuits_;
   Angles angles_;
   std::map<int, std::vector<double>> last_angles_;  ///< of each branch
 };
