@@ -1,11 +1,11 @@
-"""Turns results into tables of pandas, whose columns have the names of the command's CSV."""
+"""Results as tables of pandas, whose columns have the names of the command's CSV."""
 
 from assur._assur import Batch, Branch, Events, Samples, Solution, Sweep
 from assur.errors import NotWanted
 from assur.statuses import Outcome
 
-# The columns of a link, a joint and an output: of which array, and for an array of more than one
-# number the index.
+# The columns of a link, a joint and an output: the array, and the index if it has more than one
+# number.
 _LINK = {"x": ("pose", 0), "y": ("pose", 1), "theta": ("pose", 2),
          "vx": ("velocity", 0), "vy": ("velocity", 1), "omega": ("velocity", 2),
          "ax": ("acceleration", 0), "ay": ("acceleration", 1), "alpha": ("acceleration", 2)}
