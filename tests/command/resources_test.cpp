@@ -1,4 +1,4 @@
-// Law: what would take too much time or memory is refused in one line, and quickly.
+// Law: a request that would take too much time or memory is refused quickly and in one line.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 

@@ -1,4 +1,4 @@
-// Turns the texts of source files into the lines that break the rules of the house.
+// Searches source files for lines that break the rules of the house.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Turns generated functions into the number of their operations, by a scalar that counts.
+// A scalar that counts the operations of generated functions.
 #pragma once
 
 #include <Eigen/Core>

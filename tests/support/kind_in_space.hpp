@@ -1,4 +1,4 @@
-// Turns a kind into a random assembled group of rigid bodies, and that into a model's variables.
+// A random assembled group of rigid bodies of a given kind, and the model's variables for it.
 #pragma once
 
 #include <assur/normal_form.hpp>

@@ -1,4 +1,4 @@
-// Turns values of a vector function on both sides of a point into its derivative there.
+// Derivatives of vector functions by Richardson extrapolation of central differences.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,6 +1,6 @@
-// Prints the table of all Assur groups of up to eight links and revolute joints, by the chains that
-// they are left of, as docs/method/groups.md has it. With the name of that page as an argument it
-// exits with 1 where the page says something else.
+// Prints the table of all Assur groups of up to eight links and revolute joints, by the chains from
+// which they arise, as in docs/method/groups.md. Given that page's name as an argument, it exits
+// with 1 if the page differs.
 #include <algorithm>
 #include <fstream>
 #include <iostream>

@@ -1,4 +1,4 @@
-// Turns a model into the LaTeX that `assur derive` writes of it, and into the map that reads it.
+// The LaTeX that `assur derive` writes for a model, and the map that reads it.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// Turns an emitted solver into what its `track` says of every branch along a range of its first
-// driver. A program of C++17 that includes solvers includes this as well.
+// Runs `track` of an emitted solver for every branch along a range of its first driver. For
+// inclusion in a program of C++17 that includes solvers.
 #pragma once
 
 #include <algorithm>

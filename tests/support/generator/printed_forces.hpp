@@ -1,5 +1,4 @@
-// Turns forces into the code by which a program prints those of an emitted solver's state, and
-// back.
+// Code that prints the forces in an emitted solver's state, and the reader of its output.
 #pragma once
 
 #include <assur/mechanism/forces.hpp>

@@ -1,4 +1,4 @@
-// Turns scenes into one program of their emitted solvers, and into what it prints of every state.
+// One program of the emitted solvers of several scenes, and its output for every state.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
-// Turns what `assur solve` says of a scene into numbers, each with the C++ that reads the same one
-// from the scene's emitted solver.
+// The numbers in a report of `assur solve`, each with the C++ that reads the same number from the
+// scene's emitted solver.
 #pragma once
 
 #include <gtest/gtest.h>

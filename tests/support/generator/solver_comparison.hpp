@@ -1,5 +1,4 @@
-// Turns scenes into a program of their emitted solvers, and compares what it prints with what
-// `assur solve` says.
+// Comparison of emitted solvers, run in one program, with `assur solve`.
 #pragma once
 
 #include <cctype>

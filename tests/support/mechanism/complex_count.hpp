@@ -1,5 +1,5 @@
 // The number of complex configurations of a group in general position, counted modulo a prime from
-// rigid bodies. It knows no loops and no determinants: the independent truth for larger groups.
+// rigid bodies, without loops or determinants: the independent truth for larger groups.
 #pragma once
 
 #include <algorithm>

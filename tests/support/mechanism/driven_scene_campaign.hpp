@@ -1,5 +1,4 @@
-// Turns seeds into scenes with drivers anywhere, and their solutions into what rigid bodies can be
-// asked about.
+// Random scenes with drivers anywhere, and their solutions in terms of rigid bodies.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
-// Turns a seed into a mechanism of dyads in a row on a small integer lattice, and that into a scene
-// in any listing, place and unit.
+// Random chains of dyads on a small integer lattice, as scenes in any listing, position and unit.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Turns a chain of dyads into its exact answer in Gaussian rationals.
+// Exact configurations of a chain of dyads in Gaussian rationals.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Turns forces that are claimed for a configuration into what is left of the equilibrium of every
-// link: three equations a link, written down from joints and loads one by one.
+// Residual of the equilibrium of every link under given forces: three equations a link, written
+// down from joints and loads one by one.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// Turns the library's answer to a scene on a lattice into what it lost, invented and misjudged.
+// Comparison of the library's answer to a scene on a lattice with the exact one: lost, invented and
+// misjudged configurations.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,4 +1,4 @@
-// Turns rows of the table of exact answers into the library's faults by kind, with the scenes.
+// The library's faults by kind, with their scenes, over rows of the table of exact answers.
 #pragma once
 
 #include <filesystem>

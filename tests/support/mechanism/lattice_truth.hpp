@@ -1,4 +1,4 @@
-// Turns the table of exact answers for groups on a lattice into rows that tests compare with.
+// Reads the table of exact answers for groups on a lattice.
 #pragma once
 
 #include <fstream>

@@ -1,5 +1,5 @@
-// Chains of rigid links that are drawn with pins and slides at given places, as scenes and as
-// bodies for Newton's method: the independent truth for larger groups.
+// Chains of rigid links drawn with pins and slides at given positions, as scenes and as bodies for
+// Newton's method: the independent truth for larger groups.
 #pragma once
 
 #include <Eigen/Core>

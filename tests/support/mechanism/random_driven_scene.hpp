@@ -1,5 +1,5 @@
-// Turns a seed into a scene whose drivers stand anywhere, put together from rigid bodies that lie
-// where they were thrown: the scene is assembled by construction.
+// Random scenes with drivers anywhere, built from rigid bodies in random positions, so that they
+// are assembled by construction.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Turns the pivots of parallel cranks of one length into a scene with their couplers.
+// Scenes of parallel cranks of equal length with their couplers, from the pivots.
 #pragma once
 
 #include <assur/mechanism/sweep.hpp>

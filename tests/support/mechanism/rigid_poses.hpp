@@ -1,4 +1,4 @@
-// Turns configurations and families into the poses that rigid bodies have, and compares these.
+// Poses of rigid bodies in configurations and families, and their comparison.
 #pragma once
 
 #include <algorithm>

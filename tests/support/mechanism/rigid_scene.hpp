@@ -1,6 +1,5 @@
-// Turns a mechanism into rigid bodies with constraints, and these into poses, velocities and
-// accelerations. It knows nothing of Assur groups, loops or trees: the independent truth for
-// mechanisms.
+// Poses, velocities and accelerations of a mechanism as rigid bodies with constraints, without
+// Assur groups, loops or trees: the independent truth for mechanisms.
 #pragma once
 
 #include <Eigen/Dense>

@@ -1,5 +1,4 @@
-// Turns bars and pins, named by their points, into a scene and into the same scene listed
-// otherwise.
+// Scenes of bars and pins named by their points, also in other listings.
 #pragma once
 
 #include <algorithm>

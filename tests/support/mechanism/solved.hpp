@@ -1,4 +1,4 @@
-// Turns a scene into its plan, its values and its solution, and states into coordinates.
+// Plan, values and solution of a scene, and coordinates of states.
 #pragma once
 
 #include <assur/mechanism/plan.hpp>

@@ -1,5 +1,5 @@
-// Turns a random group whose slides tie the angles of its links, on a lattice, into a scene, and
-// into whether it closes and how freely it moves, in exact arithmetic.
+// A random group on a lattice whose slides couple the angles of its links, as a scene, with its
+// closure and mobility in exact arithmetic.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Turns the six-bar of Zhauyt et al. at one crank angle into the sensitivities of its point M by
-// the published equations, mended or with the slips that the paper prints.
+// Sensitivities of point M of the six-bar of Zhauyt et al. at one crank angle by the published
+// equations, corrected or with the slips in the paper.
 //
 // Numbers in brackets are those of the paper's equations: docs/reports/zhauyt_2017.md.
 #pragma once

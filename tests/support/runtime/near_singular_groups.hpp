@@ -1,4 +1,4 @@
-// Makes groups at known distances from a singular configuration.
+// Groups at known distances from a singular configuration.
 #pragma once
 
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-// Turns CLN's rational numbers into a scalar that costs little to compile.
+// A scalar of CLN's rational numbers that is cheap to compile.
 #pragma once
 
 #include <cln/float.h>

@@ -1,4 +1,4 @@
-// Counts real roots exactly: Sturm's theorem over CLN's rational numbers.
+// Exact counts of real roots: Sturm's theorem over CLN's rational numbers.
 #pragma once
 
 #include <algorithm>

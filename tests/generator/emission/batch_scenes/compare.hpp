@@ -1,5 +1,4 @@
-// Turns an emitted solver into a comparison of its batches with single calls for the same driver
-// positions.
+// Comparison of an emitted solver's batches with single calls at the same driver positions.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Turns an emitted solver, ASSUR_SOLVER, into how far its answers in float are from those in
-// double, over a turn of its first driver and close to where the scene has it.
+// Largest deviations of an emitted solver, ASSUR_SOLVER, in float from the same in double, over a
+// turn of its first driver and close to its position in the scene.
 #include ASSUR_HEADER
 #include <algorithm>
 #include <array>
