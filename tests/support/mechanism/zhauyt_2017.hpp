@@ -30,7 +30,7 @@ struct Posture {
   Eigen::Matrix<double, 5, 1> phi;  ///< of OA, AB, BE, FE, GD
   double em;
   double gamma;  ///< of EM, which turns with the ternary link
-  Json point;    ///< what the program reports of M
+  Json point;    ///< the program's report of M
 };
 
 inline std::vector<Posture> postures(double crank_degrees) {
