@@ -14,7 +14,7 @@ namespace assur::test {
 /// Texts by their paths from the project's root, with `/` between folders.
 using Files = std::map<std::string, std::string>;
 
-/// A folder, what stands below it, and the one namespace of its files.
+/// A folder, the folders on which it may depend, and the one namespace of its files.
 struct Folder {
   std::string path;                    ///< with its subfolders, except those in the table
   std::string name_space;              ///< `assur::text`

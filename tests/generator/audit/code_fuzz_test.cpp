@@ -52,7 +52,7 @@ std::optional<AuditReport> read(const TemporaryDirectory& directory, const std::
   }
 }
 
-/// Whether the code computes what is right; nothing where it does not compile.
+/// Whether the code computes the right values; empty if it does not compile.
 std::optional<bool> runs_right(const TemporaryDirectory& directory, const std::string& name) {
   const std::string file =
       directory

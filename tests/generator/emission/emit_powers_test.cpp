@@ -53,8 +53,8 @@ void expect(double found, double truth, const std::string& what) {
   }
 }
 
-/// What is told of B.x: its position, its derivatives by x and n, its velocity, its worst case, and
-/// whether it is regular.
+/// The results for B.x: its position, its derivatives with respect to x and n, its velocity, its
+/// worst case, and whether it is regular.
 void expect_all(const std::array<double, 6>& told, const Power& exact, const std::string& what,
                 double tolerance_of_n = 0) {
   expect(told[0], exact.value, what + ", value");

@@ -251,8 +251,8 @@ INSTANTIATE_TEST_SUITE_P(Ties, EmitSpecialForcesOfScenes,
                                          Ties::drivers_in_larger_groups),
                          name_of_ties);
 
-/// Rates are not known at the change point, so that no force of the parallelogram is, while those
-/// of the other group are the same wherever the parallelogram stands.
+/// At the change point rates are unknown, and so all forces of the parallelogram, while those of
+/// the other group do not depend on the parallelogram's configuration.
 TEST(EmitSpecialForces, OfOtherGroupsAreToldWhereRatesAreNotKnown) {
   std::vector<NamedScene> scenes;
   for (const double phi : {0.0, 0.7}) {

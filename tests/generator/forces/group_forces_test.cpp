@@ -78,7 +78,7 @@ class LoadedModel {
     return {value(pose.origin.x + pose.direction.x * local.x - pose.direction.y * local.y),
             value(pose.origin.y + pose.direction.y * local.x + pose.direction.x * local.y)};
   }
-  /// What is left of the forces on a link, and of the moments about the origin of the fixed frame.
+  /// The residual of the forces on a link, and of the moments about the origin of the fixed frame.
   [[nodiscard]] std::array<GiNaC::ex, 3> left_on(LinkIndex link) const {
     const generator::forces::LinkLoad& load = forces_.loads[link];
     const Vector2& origin = equations_.poses[link].origin;

@@ -15,7 +15,7 @@
 namespace assur::test {
 namespace {
 
-/// How many links of a chain differ as the base: those that no symmetry of the chain exchanges.
+/// The number of different bases of a chain: links that no symmetry of the chain exchanges.
 class DifferentBases {
  public:
   DifferentBases(const Chain& chain, int links)
@@ -37,8 +37,8 @@ class DifferentBases {
   }
 
  private:
-  /// Whether the first links can go to the images told, the next one to `to` where it is `link`,
-  /// and the others anywhere, so that all joints stay.
+  /// Whether a symmetry that preserves all joints maps the first links to the given images and
+  /// `link` to `to`.
   [[nodiscard]] bool extends(const std::vector<std::size_t>& images, std::size_t link,
                              std::size_t to) const {
     const std::size_t next = images.size();

@@ -62,7 +62,7 @@ TEST(Twins, AreToldFromConfigurationsThatDiffer) {
   EXPECT_FALSE((detail::has_twins<Model, double>(found)));
 }
 
-/// Lanes whose numbers are said to be finite are not computed again by themselves.
+/// Lanes with finite numbers are not computed again alone.
 TEST(FiniteNumbers, AreToldLaneByLane) {
   using Pack = numeric::PackOf<double, 4>;
   for (const double spoilt :
