@@ -1,4 +1,4 @@
-// Law: what `assur audit` finds in the papers is what was found there by hand, no less and no more.
+// Law: the findings of `assur audit` in the papers are exactly those found by hand.
 #include <gtest/gtest.h>
 
 #include <map>

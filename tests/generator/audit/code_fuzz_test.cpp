@@ -1,5 +1,5 @@
-// Law: no text makes the readers of code do anything but answer or refuse in one line, and whatever
-// they call right computes what is right.
+// Law: the readers of code answer any text or refuse it in one line, and code that they call right
+// computes the right values.
 #include <gtest/gtest.h>
 
 #include <array>

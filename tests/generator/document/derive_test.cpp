@@ -1,5 +1,5 @@
-// Law: what `assur derive` prints of every model, read back and evaluated, is what the generated
-// code computes, and its text mentions what it must.
+// Law: the output of `assur derive` for every model, read back and evaluated, equals the results of
+// the generated code, and its text mentions all required subjects.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>

@@ -1,5 +1,5 @@
-// Law: the forces of an emitted solver are the same in batches and in C, are not told where they
-// are not determined, and cost nothing where they are not wanted.
+// Law: the forces of an emitted solver are the same in batches and in C, are NaN if they are not
+// determined, and cost nothing if they are not requested.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Law: the kinematic coefficients and the equations of motion that an emitted solver tells are
-// those of `assur solve`, derivatives of its own positions, and consistent with its efforts.
+// Law: the kinematic coefficients and the equations of motion of an emitted solver equal those of
+// `assur solve`, are derivatives of its own positions, and are consistent with its efforts.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/held_pairs.hpp>

@@ -1,6 +1,5 @@
 // Law: a power of parameters has, in `assur solve` and in emitted solvers of variable parameters,
-// its exact value and the exact derivatives that there are; those that there are not are unknown
-// alone.
+// its exact value and its exact derivatives; only derivatives that do not exist are unknown.
 #include <gtest/gtest.h>
 
 #include <cmath>

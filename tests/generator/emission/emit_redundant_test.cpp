@@ -1,5 +1,5 @@
-// Law: the solver emitted for a scene with redundant joints does without their constraints, says
-// so, and finds the configurations in which they hold.
+// Law: the solver emitted for a scene with redundant joints omits their constraints, says so, and
+// finds the configurations in which they hold.
 #include <gtest/gtest.h>
 
 #include <assur/assemblies.hpp>

@@ -1,5 +1,5 @@
-// Law: where constraints are redundant or groups singular, an emitted solver tells the forces that
-// `assur solve` tells, and no others.
+// Law: if constraints are redundant or groups singular, an emitted solver has exactly the forces of
+// `assur solve`.
 #include <gtest/gtest.h>
 
 #include <cmath>

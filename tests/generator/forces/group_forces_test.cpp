@@ -1,5 +1,5 @@
-// Law: the forces that are derived for a rigid model keep each of its links in equilibrium,
-// exactly, act across slides, and take few operations.
+// Law: the forces derived for a rigid model keep each of its links in equilibrium, exactly, are
+// normal to slides, and take few operations.
 #include "forces/group_forces.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Law: any Assur group has as many complex configurations as theory tells, all real ones among them
-// are found, and a box around each proves that none is missing.
+// Law: any Assur group has the number of complex configurations given by theory, all real ones
+// among them are found, and a box around each proves that none is missing.
 #include "mechanism/larger_groups.hpp"
 
 #include <gtest/gtest.h>

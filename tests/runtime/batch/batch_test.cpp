@@ -1,4 +1,4 @@
-// Law: a batch of groups gets the answers that each of them gets by itself.
+// Law: a batch of groups has the answers of single calls.
 #include <assur/batch.hpp>
 #include <assur/dyad/models.hpp>
 #include <assur/kinematics.hpp>

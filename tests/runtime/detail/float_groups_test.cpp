@@ -1,4 +1,4 @@
-// Law: what float says of a group is what double says of the same numbers, or that it cannot tell.
+// Law: the answer for a group in float is that in double for the same numbers, or unresolved.
 #include <assur/assembly.hpp>
 #include <assur/kinematics.hpp>
 #include <cmath>
