@@ -188,8 +188,8 @@ class PolynomialMatrix {
     }
   }
 
-  /// Fills a matrix of zeros to the one with the eigenvalues w = 1 / (x - sigma); false if the
-  /// matrix at sigma has no inverse.
+  /// Fills a zero matrix so that its eigenvalues are w = 1 / (x - sigma); false if the matrix at
+  /// sigma has no inverse.
   [[nodiscard]] bool put_companion(Pencil& companion) {
     if (entries_.eliminate(size_, size_) == 0) {
       return false;

@@ -79,8 +79,8 @@ class ParameterPath {
     return stepped<Of>(at, length / 6 * (first + 2 * second + 2 * third + last));
   }
 
-  /// Two Newton steps. Returns the length of the first one, or NaN if the second one is not much
-  /// shorter, which would show convergence to the path (Kantorovich).
+  /// Two Newton steps. Returns the length of the first one; NaN unless the second one is much
+  /// shorter, which shows convergence to the path (Kantorovich).
   [[nodiscard]] double corrected(At& at, double t) const {
     const Step first = newton_step(at, t);
     at = stepped<Of>(at, first);
