@@ -1,5 +1,5 @@
-// Law: what cannot be drawn or written is refused in one line with exit status 2 and leaves every
-// file as it was; a drawing has the same text wherever it is written.
+// Law: a drawing that cannot be made or written is refused in one line with exit status 2 and
+// leaves every file unchanged; a drawing has the same text wherever it is written.
 #include <gtest/gtest.h>
 
 #include <algorithm>

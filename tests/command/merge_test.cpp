@@ -1,5 +1,5 @@
-// Law: `assur merge` takes the rows that each shard should hold, in their order, and refuses every
-// other file in one line that names it and the row.
+// Law: `assur merge` accepts exactly the rows that each shard should hold, in their order, and
+// refuses every other file in one line that names the file and the row.
 #include <gtest/gtest.h>
 
 #include <algorithm>

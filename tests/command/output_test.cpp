@@ -161,7 +161,7 @@ ProcessResult emitted_in_c(const TemporaryDirectory& directory, unsigned long la
       opened("/dev/null"), largest_file);
 }
 
-/// What stands in the files that `emit --interface c` replaces.
+/// The contents of the files that `emit --interface c` replaces.
 std::map<std::string, std::string> texts_in(const TemporaryDirectory& directory) {
   std::map<std::string, std::string> texts;
   for (const auto& entry : fs::recursive_directory_iterator(directory.path())) {

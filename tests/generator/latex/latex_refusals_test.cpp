@@ -1,5 +1,5 @@
-// Law: notation that could be read in two ways is refused at its place in the paper, and never
-// guessed; so are mistakes in a map or a paper.
+// Law: ambiguous notation is refused at its place in the paper, and never guessed; so are mistakes
+// in a map or a paper.
 #include <gtest/gtest.h>
 
 #include <algorithm>

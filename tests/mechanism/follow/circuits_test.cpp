@@ -1,6 +1,5 @@
-// Law: branches of a sweep are on one circuit where the mechanism goes from one to the other
-// without being taken apart: Grashof's rule tells it of four-bars, signs of discriminants of
-// six-bars.
+// Law: branches of a sweep are on one circuit if the mechanism can move from one to the other
+// without disassembly: for four-bars by Grashof's rule, for six-bars by signs of discriminants.
 #include <gtest/gtest.h>
 
 #include <array>

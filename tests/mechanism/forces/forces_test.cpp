@@ -1,5 +1,5 @@
-// Law: the forces that are told keep every link in equilibrium, transmit nothing along slides, add
-// up to the ground's resultant, and agree with the equations of motion.
+// Law: reported forces keep every link in equilibrium, transmit nothing along slides, add up to the
+// ground's resultant, and agree with the equations of motion.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
