@@ -24,7 +24,7 @@ namespace assur::generator::command {
 namespace {
 
 constexpr int most_threads = 1024;
-/// The limits of `--time-limit`.
+/// The limits of `--time-limit`, in seconds.
 constexpr double least_seconds = 0.1;
 constexpr double most_seconds = 3600;
 
@@ -34,7 +34,7 @@ struct CatalogueOptions {
 
 struct NoOptions {};
 
-/// A whole number from 1 to `most`.
+/// An integer from 1 to `most`.
 CLI::Validator whole_number(int most) {
   return {[most](const std::string& text) { return complaint_of_whole_number(text, most); }, ""};
 }
@@ -94,7 +94,7 @@ void add_campaign_options(CLI::App& command, CampaignOptions& options) {
   command.add_flag("--force", options.force, "replace files that exist");
 }
 
-/// These options, and those of the commands that compute the solutions.
+/// These options, and those of the commands that compute solutions.
 void add_computing_options(CLI::App& command, CampaignOptions& options) {
   add_scene(command, options.scene);
   add_campaign_options(command, options);
@@ -368,7 +368,7 @@ int audit_or_draft(const AuditOptions& options) {
   return status(!run_audit(options));
 }
 
-/// A subcommand that reads its options from the command line, and what it then does with them.
+/// Adds a subcommand with its options and the function that runs it.
 template <typename Options>
 void add(CLI::App& app, Chosen& chosen, const std::string& name, const std::string& description,
          void (*declare)(CLI::App&, Options&), int (*run)(const Options&)) {

@@ -1,4 +1,4 @@
-// The rows of a sweep's branches.
+// Prints the rows of a sweep's branches.
 #include <algorithm>
 #include <assur/mechanism/report.hpp>
 #include <assur/mechanism/sweep.hpp>
@@ -24,7 +24,7 @@ void expect_branch(const SweepOptions& options, int count) {
   }
 }
 
-/// Throws InputError where `--set` gives the sweep's parameter a value, which would be replaced.
+/// Throws InputError if `--set` gives the sweep's parameter a value, which would be replaced.
 void expect_no_setting_of(const mechanism::Plan& plan, const SweepOptions& options) {
   const std::string& parameter =
       plan.mechanism().parameters()[plan.request().sweep->parameter].name;
@@ -55,7 +55,7 @@ class SweepOutput {
     stretches_.step(parameter, solution);
   }
 
-  /// Prints what is known so far.
+  /// Prints all that is known so far.
   void release() {
     print(text_);
     text_.clear();
@@ -76,8 +76,8 @@ class SweepOutput {
   bool degenerate_ = false;
 };
 
-/// The steps that are followed before the first rows are printed: what comes before it may fail
-/// because the first two are too far apart.
+/// The number of steps followed before the first rows are printed: the first two may be too far
+/// apart, which is an error.
 constexpr int steps_before_rows = 2;
 
 /// All branches side by side, or one of them. Nothing is printed before the requested branch has
@@ -89,7 +89,7 @@ bool print_branches(const SweepOptions& options, const mechanism::Scene& scene,
   const bool is_all = chosen == 0;
   ProgressBar bar;
   const auto steps = static_cast<std::uint64_t>(plan.request().sweep->count);
-  // Any event may join two circuits, so they are known at the end of a sweep only.
+  // Any event may join two circuits, so they are known only at the end of a sweep.
   const mechanism::SweptPlaces places = swept_places(scene.mechanism, scene.request, [&](int done) {
     bar.show(static_cast<std::uint64_t>(done), 2 * steps);
   });
@@ -123,7 +123,7 @@ bool print_branches(const SweepOptions& options, const mechanism::Scene& scene,
 }
 
 /// One branch among more than can be followed side by side: from the first step that has its
-/// configuration to where it ends.
+/// configuration to its end.
 bool print_lone_branch(const SweepOptions& options, const mechanism::Plan& plan) {
   const mechanism::Sweep& range = *plan.request().sweep;
   ProgressBar bar;
