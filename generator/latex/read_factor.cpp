@@ -1,4 +1,4 @@
-// Turns the tokens of a factor into its tree: numbers, quantities, brackets, roots, fractions.
+// Reads the factors of a formula: numbers, quantities, brackets, roots, fractions.
 #include <assur/text/quoted.hpp>
 
 #include "latex/formula_reader.hpp"

@@ -11,7 +11,7 @@ namespace assur::generator::latex {
 
 namespace {
 
-/// An equation may have as many tokens.
+/// The largest number of tokens of an equation.
 constexpr std::size_t most_parts = 20'000;
 
 bool is_product_sign(const Token& token) {
