@@ -34,7 +34,7 @@ constexpr std::array<Measurement, 16> measured{{
 }};
 constexpr auto rows = static_cast<int>(2 * measured.size());
 
-/// The residuals at the lengths, point by point, and their derivatives by the lengths.
+/// The residuals at the lengths, point by point, and their derivatives with respect to them.
 struct Misfit {
   Eigen::Matrix<double, rows, 1> left;
   Eigen::Matrix<double, rows, lengths> slope;

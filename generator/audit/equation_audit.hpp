@@ -71,8 +71,8 @@ struct Printed {
                                     const GiNaC::ex& read, const Printed& printed);
 [[nodiscard]] bool is_turned(const Finding& closure);
 
-/// Compares each entry with the derivative of its row by its column: the partial derivative if the
-/// row is a closure, else the total one.
+/// Compares each entry with the derivative of its row with respect to its column: the partial
+/// derivative if the row is a closure, else the total one.
 [[nodiscard]] std::vector<Finding> audit_matrix(closures::ClosurePoints& points,
                                                 const PrintedMatrix& matrix);
 /// Compares one entry of a matrix; row and column count from 0. `read` returns its expression.

@@ -9,7 +9,7 @@ namespace assur::generator::audit {
 struct OwnDerivative {
   std::size_t component;
   const closures::AuditSymbol* by;  ///< a parameter; null: the time
-  int order;                        ///< 2: the second derivative by time
+  int order;                        ///< 2: the second time derivative
 };
 
 /// The derivatives of a statement `of ... against own position`.

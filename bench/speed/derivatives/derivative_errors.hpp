@@ -11,7 +11,7 @@ struct JacobianAnswer {
   Matrix<Scalar, 4, 4> by_unknowns;
 };
 
-/// J and the derivatives by dimensions and inputs.
+/// J and the derivatives with respect to dimensions and inputs.
 template <typename Scalar>
 struct ClosureAnswer {
   Matrix<Scalar, 4, 4> by_unknowns;

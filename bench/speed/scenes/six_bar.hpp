@@ -20,7 +20,7 @@ struct SixBar {
   static constexpr int positions = 360;
 };
 
-/// The plate's points D and M in its frame; M's derivatives by the parameter BE only.
+/// The plate's points D and M in its frame; M's derivatives with respect to BE only.
 template <typename Scalar>
 struct Plate {
   Scalar x_D, y_D, x_M, y_M;

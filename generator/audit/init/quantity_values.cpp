@@ -126,7 +126,7 @@ Point point_number(int number, const ProgramFunction& one, const ProgramFunction
   return point;
 }
 
-/// Whether an entry is, up to its sign, the derivative of a component by a symbol.
+/// Whether an entry is, up to its sign, the derivative of a component with respect to a symbol.
 bool is_derivative(const ProgramFunction& of, Words component, const ProgramFunction& derived,
                    Words entry, const std::string& by, bool& is_zero) {
   is_zero = true;

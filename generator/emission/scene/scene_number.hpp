@@ -26,7 +26,7 @@ class SceneSymbols {
   [[nodiscard]] GiNaC::ex value_of(const GiNaC::ex& formula) const;
   /// The formula with each symbol of a root replaced by the root.
   [[nodiscard]] GiNaC::ex written_out(const GiNaC::ex& formula) const;
-  /// The derivative by a symbol that is not that of a root, through the roots.
+  /// The derivative with respect to a symbol other than that of a root, through the roots.
   [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& formula, const GiNaC::symbol& symbol) const;
 
  private:

@@ -46,7 +46,7 @@ class SceneNumbers {
   [[nodiscard]] SceneNumber law(mechanism::DriverIndex driver) const;
   /// A number of a load, whose formula may read joints.
   [[nodiscard]] SceneNumber loading(mechanism::NumberIndex number) const;
-  /// The derivative of a driver's law by the coordinate of a joint that it reads.
+  /// The derivative of a driver's law with respect to the coordinate of a joint that it reads.
   [[nodiscard]] SceneNumber slope(mechanism::DriverIndex driver, mechanism::JointIndex joint) const;
   [[nodiscard]] LinkFeature<SceneNumber> feature(mechanism::FeatureIndex index, bool is_line) const;
   /// A joint's feature in the frame of a link that has it, or that carries the link that has it.
