@@ -207,7 +207,7 @@ class OwnPosition::Samples {
   [[nodiscard]] std::string failure(const OwnDerivative& wanted, std::size_t point) const {
     const std::size_t row = first_row(point);
     return row < values_.points.size() ? values_.points[row].faults[wanted.component]
-                                       : "it did not come to this point";
+                                       : "it stopped before this point";
   }
   [[nodiscard]] bool is_single() const { return values_.single_precision; }
 

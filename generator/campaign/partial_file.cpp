@@ -131,8 +131,8 @@ void expect_other(const std::filesystem::path& file,
     std::error_code error;  // a file that does not exist is not an input
     if (std::filesystem::equivalent(file, input, error) ||
         std::filesystem::equivalent(partial_name(file), input, error)) {
-      throw text::InputError(file.string() + ": to write it would replace the file " +
-                             input.string() + " that is read; give another name");
+      throw text::InputError(file.string() + ": writing it would replace the input " +
+                             input.string() + "; give another name");
     }
   }
 }

@@ -220,7 +220,7 @@ equations::Vector2 CircleAlgebra::direction_of_term(const GiNaC::ex& base) {
 
 GiNaC::ex CircleAlgebra::root_of(const GiNaC::ex& radicand) {
   if (!can_be_multiplied_out(radicand)) {
-    throw NotAlgebraic("what stands under a root has too many terms when it is multiplied out");
+    throw NotAlgebraic("a radicand has too many terms when it is multiplied out");
   }
   const GiNaC::ex normal = radicand.normal();
   if (GiNaC::is_a<GiNaC::numeric>(normal)) {

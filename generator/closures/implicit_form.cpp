@@ -161,8 +161,8 @@ class Translation {
     }
     const GiNaC::ex* definition = system_.definition_of(symbol);
     if (definition == nullptr) {
-      throw NotAlgebraic("'" + text(symbol) + "' is a derivative, and what follows from the " +
-                         "closures cannot stand in them");
+      throw NotAlgebraic("'" + text(symbol) + "' is a derivative along the solutions of the " +
+                         "closures, and these cannot contain one");
     }
     auto [known, is_new] = numbers_.try_emplace(symbol);
     if (is_new) {

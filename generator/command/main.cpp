@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     print_error(error.what());
   } catch (const std::bad_alloc&) {
-    print_error("the memory does not suffice; ask for less in one run");
+    print_error("out of memory; compute less in one run");
   } catch (const OtherRankFailed&) {  // that rank has reported the error
   } catch (const ClosedPipe&) {       // the reader closed it on purpose
   } catch (const std::exception& error) {

@@ -197,8 +197,9 @@ void declare_solve(CLI::App& command, SolveOptions& options) {
                    "prove that no configuration is missing: enclose\nall complex configurations of "
                    "every group");
   command.add_flag("--circuits", options.circuits,
-                   "also tell on which branch and circuit of the\nsweep a configuration is; with "
-                   "--format csv a\nsweep always tells");
+                   "also report the branch and circuit of each\nconfiguration in the sweep; with "
+                   "--format csv a\n"
+                   "sweep always reports them");
   command.add_flag("--unwrapped", options.unwrapped,
                    "with --format csv and a sweep: angles continue\nby whole turns along a branch");
 }
@@ -283,8 +284,7 @@ void declare_audit(CLI::App& command, AuditOptions& options) {
       .add_option("FILE", options.files,
                   "audit files, or papers in LaTeX with --map;\nor a program or paper with --init")
       ->required();
-  command.add_option("--map", options.map, "what the notation of the papers stands for")
-      ->check(not_empty());
+  command.add_option("--map", options.map, "the map of the papers' notation")->check(not_empty());
   command.add_option("--format", options.format, "the form of the report")
       ->check(one_of({"text", "markdown", "json", "github"}))
       ->capture_default_str();
@@ -399,7 +399,7 @@ void add_subcommands(CLI::App& app, Chosen& chosen) {
                      draw_scene(options);
                      return exit_done;
                    });
-  add<ImportOptions>(app, chosen, "import", "make a scene of a file of Linkage, PMKS+ or Pyslvs",
+  add<ImportOptions>(app, chosen, "import", "import a file of Linkage, PMKS+ or Pyslvs",
                      declare_import,
                      [](const ImportOptions& options) { return status(!import_file(options)); });
   add<SampleOptions>(app, chosen, "sample", "sample parameters within the tolerances of a scene",
@@ -412,8 +412,8 @@ void add_subcommands(CLI::App& app, Chosen& chosen) {
                     run_map(options);
                     return exit_done;
                   });
-  add<MergeOptions>(app, chosen, "merge", "put the shards of a sample or a map together",
-                    declare_merge, [](const MergeOptions& options) {
+  add<MergeOptions>(app, chosen, "merge", "merge the shards of a sample or a map", declare_merge,
+                    [](const MergeOptions& options) {
                       run_merge(options);
                       return exit_done;
                     });

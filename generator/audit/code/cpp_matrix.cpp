@@ -275,7 +275,7 @@ class CppReader : public CppScope {
       if (const Token* mention = mention_of(declared, array_); mention != nullptr && grouped) {
         refuse(*mention);
       }
-      throw CodeError("what a pointer or a reference changes cannot be followed" + by_running,
+      throw CodeError("changes through a pointer or a reference cannot be followed" + by_running,
                       statement[0].place);
     }
     for (const Tokens& part : zero_or_parts(declared)) {
@@ -314,7 +314,8 @@ class CppReader : public CppScope {
     const Token* mention = mention_of(value, array_);
     const bool whole = value.size() == 1 && mention != nullptr;
     if (mention != nullptr && !whole) {
-      throw CodeError("what is returned is not " + array_ + " itself" + by_running, mention->place);
+      throw CodeError("the returned value is not " + array_ + " itself" + by_running,
+                      mention->place);
     }
     const bool same = result_.undeclared || (result_.deduced && !result_.is_shared()) ||
                       (result_.kind == Kind::grid && result_.sort == Sort::real &&

@@ -389,7 +389,7 @@ void TypeNames::read_using(Tokens statement) {
     return;
   }
   if (rest.size() < 3 || !rest[0].is_name() || !rest[1].is("=")) {
-    throw CodeError("what this brings in cannot be followed" + by_running, statement[0].place);
+    throw CodeError("the names that this declares cannot be read" + by_running, statement[0].place);
   }
   expect_new_meaning(rest[0]);
   Tokens tokens = rest.subspan(2);

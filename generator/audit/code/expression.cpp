@@ -272,7 +272,7 @@ class Reader {
       refuse_cast(tokens_[from]);
     }
     if (standard || (called && has_meaning(name.spelling))) {
-      throw CodeError("what '" + name.spelling + "' does cannot be followed" + by_running,
+      throw CodeError("the effect of '" + name.spelling + "' is not known" + by_running,
                       name.place);
     }
     if (at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("<") && is_template_call()) {

@@ -156,7 +156,7 @@ class MatlabReader : public CodeReader {
     const bool grows =
         known != lists_.end() && !target.indices.empty() && target.indices[0] > known->second.first;
     if (target.tokens != at || grows) {
-      refuse("what is set here cannot be followed", statement[0]);
+      refuse("this assignment cannot be read", statement[0]);
     }
     if (list) {
       read_list(target, value);

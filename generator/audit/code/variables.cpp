@@ -117,7 +117,7 @@ void Variables::take_inferred(Tokens rest, Spelled& number) const {
           !number.indices.empty() && (round || number.round || number.indices.size() > 1);
       if (taken == 0 || more) {
         if (round) {
-          throw CodeError("what '" + number.text() + "' does cannot be followed" + by_running,
+          throw CodeError("the effect of '" + number.text() + "' is not known" + by_running,
                           number.place);
         }
         throw CodeError("'[' cannot be read inside an expression" + by_running, rest[0].place);
@@ -202,7 +202,7 @@ void Variables::take_parts(Tokens rest, Spelled& number) const {
   }
   number.sort = type->sort;
   if (!rest.empty() && rest[0].is("(")) {
-    throw CodeError("what '" + number.text() + "' does cannot be followed" + by_running,
+    throw CodeError("the effect of '" + number.text() + "' is not known" + by_running,
                     number.place);
   }
 }
@@ -231,8 +231,7 @@ void Variables::expect_one_shape(Spelled& number) {
 Spelled Variables::spelled(Tokens tokens) {
   const Token& name = tokens[0];
   if (functions_.contains(name.spelling)) {
-    throw CodeError("what '" + name.spelling + "' does cannot be followed" + by_running,
-                    name.place);
+    throw CodeError("the effect of '" + name.spelling + "' is not known" + by_running, name.place);
   }
   if (has_meaning(name.spelling) && find(name.spelling) == nullptr) {
     throw CodeError("'" + name.spelling + "' cannot be read here" + by_running, name.place);
@@ -261,8 +260,7 @@ Spelled Variables::spelled(Tokens tokens) {
   const bool set = tokens.size() > number.tokens && tokens[number.tokens].spelling.ends_with('=');
   if (known == nullptr && language_ == Language::cpp && number.round && (in_function_ || !set) &&
       !system_.is_known(number.formula)) {
-    throw CodeError("what '" + name.spelling + "' does cannot be followed" + by_running,
-                    name.place);
+    throw CodeError("the effect of '" + name.spelling + "' is not known" + by_running, name.place);
   }
   number.variable = &found(name);
   if (!number.variable->type) {

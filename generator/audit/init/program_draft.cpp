@@ -224,7 +224,7 @@ class DraftWriter {
         }
         knows_unknowns_ = false;
       } else {
-        runs_ += line("# a guess: what the columns are derivatives by");
+        runs_ += line("# a guess: the variables of the columns");
         for (const std::string& name : columns) {
           if (what.rows == what.columns &&
               std::find(unknowns_.begin(), unknowns_.end(), name) == unknowns_.end()) {

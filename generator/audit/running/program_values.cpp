@@ -80,7 +80,7 @@ ProcessEnd run_tool(const UserProgram& program, const std::vector<std::string>& 
 
 [[noreturn]] void fail_on_entry(const MatrixSize& size) {
   throw ProgramError(
-      "it cannot be told how an entry of the result is read; say, for instance, 'entry result[i*" +
+      "how to read an entry of the result is not known; say, for instance, 'entry result[i*" +
       std::to_string(size.columns) + " + j]'");
 }
 

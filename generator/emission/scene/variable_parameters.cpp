@@ -136,7 +136,7 @@ void expect_arguments(const mechanism::Plan& plan, const std::vector<ParameterIn
           laws.on(parameter)
               ? "only the law of a driver depends on it, and drivers are arguments of the solver "
                 "already; do not make it variable"
-              : "nothing that is reported depends on it; do not make it variable");
+              : "no reported result depends on it; do not make it variable");
     }
   }
 }
