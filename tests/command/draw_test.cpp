@@ -79,8 +79,8 @@ TEST(Draw, DoesNotReplaceTheScene) {
   const std::string file = directory.write("scene.svg", scene).string();
   const CommandResult result = run_assur("draw " + file + " --output " + file);
   EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.messages, "error: " + file + ": to write it would replace the file " + file +
-                                 " that is read; give another name\n");
+  EXPECT_EQ(result.messages, "error: " + file + ": writing it would replace the input " + file +
+                                 "; give another name\n");
   EXPECT_EQ(read_file(file), scene);
 }
 
