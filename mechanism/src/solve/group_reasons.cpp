@@ -24,7 +24,7 @@ std::vector<std::string> joint_names(const Values& values, GroupIndex group, boo
 
 namespace {
 
-/// The reason why no group of its model has a single position.
+/// The reason why no group of this model has isolated configurations.
 std::string reason_of_model(const Values& values, GroupIndex group, const std::string& what) {
   return "prismatic joints close a loop and over-determine its angles (among the joints " +
          text::listed(joint_names(values, group, true)) + "); " + what;
