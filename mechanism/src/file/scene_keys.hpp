@@ -1,4 +1,4 @@
-// Turns the scene format into tables of keys, which its reader and its JSON Schema share.
+// Keys of the scene format, shared by its reader and its JSON Schema.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Turns the tables of a scene's keys into a JSON Schema.
+// JSON Schema of scenes, from the tables of their keys.
 #include <assur/mechanism/scene_file.hpp>
 #include <span>
 
@@ -10,7 +10,7 @@ namespace assur::mechanism::file {
 
 namespace {
 
-/// An object that has these keys and no others.
+/// An object with these keys and no others.
 SceneJson object_of(std::span<const SceneKey> keys, const std::string& description) {
   SceneJson schema = {{"description", description},
                       {"type", "object"},
@@ -28,7 +28,7 @@ SceneJson object_of(std::span<const SceneKey> keys, const std::string& descripti
   return schema;
 }
 
-/// An object whose keys are names that the scene gives.
+/// An object whose keys are names chosen in the scene.
 SceneJson names_of(const SceneJson& named, const char* pattern = nullptr) {
   SceneJson schema = {{"type", "object"}};
   schema["propertyNames"] =
