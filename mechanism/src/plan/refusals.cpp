@@ -9,7 +9,7 @@ namespace assur::mechanism::plan {
 
 namespace {
 
-/// The error for a mechanism with too many constraints; `without` says what it does without them.
+/// The error for an over-constrained mechanism; `without` says how it behaves without the excess.
 OverConstrained refused(const PlanData& plan, const std::string& without) {
   std::vector<std::string> names;
   for (const RedundantJoint& joint : plan.redundant) {
