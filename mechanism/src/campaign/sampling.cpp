@@ -324,7 +324,7 @@ Sampling::Sampling(const Mechanism& mechanism, const Request& request, std::size
   std::ranges::copy_if(changing_, std::back_inserter(deviations_),
                        [](const Deviation& one) { return one.half_width > 0; });
   if (deviations_.empty() && law_.kind == DeviationLaw::Kind::given) {
-    throw MechanismError("parameters", "no deviation is given that is not zero");
+    throw MechanismError("parameters", "all given deviations are zero; give one that is not");
   }
   if (law_.kind == DeviationLaw::Kind::covariance) {
     factors_ = campaign::factors_of(deviations_, requested);

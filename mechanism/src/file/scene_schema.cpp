@@ -59,7 +59,7 @@ SceneJson definitions() {
   const SceneJson line = object_of(line_keys, "A line in the frame of its link");
   const SceneJson line_through_points =
       object_of(line_through_points_keys, "A line through two points of its link");
-  SceneJson parameter = object_of(parameter_keys, "A parameter and what is known of it");
+  SceneJson parameter = object_of(parameter_keys, "A parameter: its value, tolerance and rates");
   parameter["anyOf"] = {{{"required", {"value"}}}, {{"required", {"drawn"}}}};
   const SceneJson name = {{"type", "string"}, {"minLength", 1}};
   const SceneJson two_points = {
@@ -107,8 +107,9 @@ SceneJson definitions() {
 namespace assur::mechanism {
 
 std::string scene_schema() {
-  file::SceneJson schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                            {"title", "A scene: one planar mechanism, and what is wanted of it"}};
+  file::SceneJson schema = {
+      {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+      {"title", "A scene: one planar mechanism, and the results requested of it"}};
   schema.update(file::object_of(
       file::scene_keys,
       "Lengths share one unit, and angles are in radians, counter-clockwise. A link's pose is the "

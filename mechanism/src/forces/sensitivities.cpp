@@ -169,7 +169,7 @@ std::vector<double*> numbers_of(Forces& forces) {
 template <typename Function>
 Forces of_deviations(std::vector<Forces> sensitivities, const Spread& spread, const Function& of) {
   if (std::ssize(sensitivities) != spread.tolerances.size() || sensitivities.empty()) {
-    throw MechanismError("", "there is not one derivative of the forces by each parameter");
+    throw MechanismError("", "expected one derivative of the forces for each parameter");
   }
   std::vector<std::vector<double*>> numbers;
   for (Forces& forces : sensitivities) {

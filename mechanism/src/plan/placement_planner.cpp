@@ -261,7 +261,7 @@ class PlacementPlanner {
               text::listed_as("joint", coupled.joints) + (is_one ? " reads" : " read") +
               " joints of the " + text::listed_as("link", coupled.links) +
               (is_one ? ", which this law moves" : ", which these laws move") +
-              ": the links can only be solved together, as a group that is not known here; let a "
+              ": the links can only be solved together, as a group that is not supported; let a "
               "law read joints that are placed before the links that it moves");
     }
   }

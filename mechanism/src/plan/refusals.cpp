@@ -65,11 +65,12 @@ OverConstrained refusal_without_groups(const Mechanism& mechanism, const OverCon
   }
   return {"",
           std::string(excess.what()) + "; no " + constraints +
-              " found without which the links form groups that are known, so that it was not "
-              "checked whether they hold" +
+              " found whose removal leaves supported groups, so it is unknown whether the excess "
+              "constraints hold" +
               (read.empty() ? ""
                             : "; " + text::listed(read) +
-                                  " cannot be left out, because laws or loads read where it is"),
+                                  " cannot be left out, because laws or "
+                                  "loads read the coordinate"),
           excess.surplus, excess.joints};
 }
 

@@ -131,7 +131,7 @@ std::optional<OverConstrained> FoundConfigurations::conclude(bool is_numbered, b
                                                              const ClosingGaps& gaps) {
   if (is_unsure_ && solution_->incomplete.empty()) {
     solution_->incomplete =
-        "beside a singular position rounding decides whether some places are configurations";
+        "near a singular position, rounding decides whether further configurations exist";
   }
   if (passed_ > listed_) {  // a single configuration was sought, and there are others
     return std::nullopt;

@@ -53,7 +53,7 @@ std::string reason_of_incompleteness(const Values& values, GroupIndex group, int
          std::to_string(of.model->max_configurations) +
          " configurations in complex numbers in general position, of which " +
          std::to_string(found) +
-         " were found to be single ones here: in this special position others may be missing";
+         " were found isolated here: in this special position others may be missing";
 }
 
 std::string reason_of_conflict(const Values& values, GroupIndex group) {

@@ -26,7 +26,7 @@ std::string reason_without(const std::string& reason, const PlanData& plan) {
     names.push_back(joint.name);
   }
   return reason + " without constraints of " + text::listed(names) +
-         "; it is not known in which positions these constraints hold";
+         "; the positions in which these constraints hold are unknown";
 }
 
 /// Sets the mobility of each family under all constraints and returns whether every one still
