@@ -17,7 +17,7 @@ struct SweepTraces {
 };
 
 /// Follows the branches through configurations of the mechanism at its own values, by their
-/// numbers. If these values are not in the sweep, it is unknown which branch passes which
+/// numbers. If these values are not in the sweep, it is unknown which branch goes through which
 /// configuration, and the traces of all branches have configuration 0. Without a sweep, and if
 /// there are too many branches to follow, there are no traces.
 [[nodiscard]] SweepTraces traces_of_sweep(const Mechanism& mechanism, const Request& request,

@@ -58,7 +58,7 @@ class Matcher {
     return std::move(result_);
   }
 
-  /// Whether all points stay apart, and none passes a singular configuration.
+  /// Whether all points stay apart, and none goes through a singular configuration.
   [[nodiscard]] bool is_plain() {
     result_.to_right.assign(left_.count(), PointIndex(0));
     list_turned();

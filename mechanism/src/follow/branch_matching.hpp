@@ -19,7 +19,7 @@ struct BranchMatching {
   std::vector<PointIndex> left_alone, right_alone;  ///< without an acceptable match
   std::vector<TouchingPair> touching;
   /// Matched configurations of the left set with a group whose determinant has another sign on the
-  /// right: however straight the match, it passes a singular configuration.
+  /// right: however straight the match, it goes through a singular configuration.
   std::vector<PointIndex> turned;
 
   /// Whether every branch goes through, none comes near another, and none is singular within the
@@ -29,12 +29,13 @@ struct BranchMatching {
   }
 };
 
-/// For a configuration (X, X') on the left and (Y, Y') on the right of an interval h, the defect |Y
-/// - X - h (X' + Y') / 2| vanishes to third order on a branch, and the turn h |Y' - X'| to second.
-/// Two are matched if their turn + defect is the least of all, seen from both sides. The defect
-/// alone would not distinguish two branches that cross halfway from two that turn back there. A
-/// match is accepted where turn + defect is small, and less than the distance between the cubics
-/// through the values and derivatives of this match and any other, throughout the interval.
+/// Two configurations, (X, X') on the left and (Y, Y') on the right of an interval h, have the
+/// defect |Y - X - h (X' + Y') / 2|, which vanishes to third order on a branch, and the turn
+/// h |Y' - X'|, which vanishes to second. Two are matched if their turn + defect is the least of
+/// all, seen from both sides. The defect alone would not distinguish two branches that cross
+/// halfway from two that turn back there. A match is accepted where turn + defect is small, and
+/// less than the distance between the cubics through the values and derivatives of this match and
+/// any other, throughout the interval.
 [[nodiscard]] BranchMatching match(const Snapshot& left, const Snapshot& right);
 
 /// Whether the only configuration of one set continues as the only one of another, so far from all

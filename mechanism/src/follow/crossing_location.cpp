@@ -89,8 +89,8 @@ constexpr std::array crossing_places{-1.0, -2.0 / 3, 2.0 / 3, 1.0, -1.0 / 3, 1.0
 constexpr std::size_t outer_places = 4;
 using CrossingSamples = std::array<ConfigurationBundle, crossing_places.size()>;
 
-/// The place of a branch that passes its crossing smoothly, from values and derivatives at the
-/// outer places.
+/// The place of a branch that goes through its crossing smoothly, from values and derivatives at
+/// the outer places.
 Eigen::VectorXd smooth_place(const CrossingSamples& samples, std::size_t branch, double width,
                              double place) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples[0].at(branch).at.size());

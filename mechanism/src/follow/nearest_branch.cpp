@@ -135,7 +135,7 @@ class NearestBranchFinder {
     return std::nullopt;
   }
 
-  /// The configuration at another value of the branch that passes a drawn configuration at the own
+  /// The configuration at another value on the branch through a drawn configuration at the own
   /// value; nothing if the branch ends before.
   [[nodiscard]] std::optional<Configuration> followed(const Configuration& drawn, double to) const {
     if (to == own_) {

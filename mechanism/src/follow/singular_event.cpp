@@ -62,7 +62,7 @@ class Explanation {
   }
 
   /// Explains a pair by a fold. Returns false if it does not meet within the interval, or if others
-  /// near it neither belong to `alone` nor meet in the same place.
+  /// are near it, except those of `alone` that meet in the same place.
   [[nodiscard]] bool explain_fold(const ConfigurationPair& pair, const Side& side,
                                   const std::vector<PointIndex>& alone) {
     constexpr double slack = 0.1;
@@ -178,8 +178,8 @@ class Explanation {
     return {{left, bundle}, {right, matched}};
   }
 
-  /// Sorts events by their parameter. Where these differ by rounding only, the kinds decide, folds
-  /// first, and then the order of the sets.
+  /// Sorts events by their parameter. Where parameters differ by rounding only, the kinds decide,
+  /// folds first, and then the order of the sets.
   void put_in_order(double sense) {
     const double rounding = 1e-10 * std::abs(solver_.to() - solver_.from());
     const auto before = [=](const SingularEvent& one, const SingularEvent& other) {
@@ -198,9 +198,9 @@ class Explanation {
         [&](std::size_t one, std::size_t other) { std::swap(events_[one], events_[other]); });
   }
 
-  /// Whether each match whose determinant changes its sign passes an event, or continues straight
-  /// up to rounding, as where the mechanism moves freely at one value. If a gap w opened such a
-  /// place, two branches would exchange places within w, with a defect of w / step.
+  /// Whether each match whose determinant changes its sign goes through an event, or continues
+  /// straight up to rounding, as where the mechanism moves freely at one value. If a gap w opened
+  /// such a place, two branches would exchange places within w, with a defect of w / step.
   [[nodiscard]] bool turns_are_explained(const SnapshotPointer& left,
                                          const SnapshotPointer& right) const {
     const double step = right->parameter - left->parameter;
@@ -216,7 +216,7 @@ class Explanation {
     });
   }
 
-  /// Whether a branch passes one of the events.
+  /// Whether a branch goes through one of the events.
   [[nodiscard]] bool is_singular_there(PointIndex point) const {
     return std::ranges::any_of(events_, [point](const SingularEvent& event) {
       return event.through == point || (event.kind == EventKind::crossing &&

@@ -17,7 +17,7 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// A singular point that branches pass.
+/// A singular point that branches go through.
 struct Crossing {
   EventLocation location;
   Eigen::VectorXd place;  ///< in the coordinates of configurations

@@ -1,5 +1,5 @@
-// Branches of an interval that pass singular configurations, and the crossings of those that share
-// one.
+// Branches of an interval that go through singular configurations, and the crossings of those that
+// share one.
 #pragma once
 
 #include <optional>

@@ -16,7 +16,7 @@ bool is_singular(const Snapshot& step, PointIndex point) {
   return step.configuration(point).regularity != Status::ok;
 }
 
-/// The number of branches known to pass a configuration.
+/// The number of branches known to go through a configuration.
 std::size_t room(const Snapshot& step, PointIndex point) {
   return std::max<std::size_t>(1, step.configuration(point).branches.size());
 }

@@ -41,7 +41,7 @@ class UnfollowedInterval {
   [[nodiscard]] std::vector<int> branches_after() const { return told(after_); }
   /// The rows of a step. Each configuration is assigned to the branch with the nearest prediction,
   /// first to one that goes through. A singular configuration is then assigned to all branches
-  /// without one, since several may meet in it. Each branch that passes it has a row, with its own
+  /// without one, since several may meet in it. Each branch through it has a row, with its own
   /// rates where they are known; otherwise one row has the least of their numbers.
   [[nodiscard]] std::vector<StepRow> rows(const Snapshot& step) const;
 

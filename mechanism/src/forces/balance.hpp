@@ -50,7 +50,7 @@ class Balance {
   [[nodiscard]] const MovingLinks& links() const { return links_; }
   [[nodiscard]] const JointCoordinates& coordinates() const { return links_.coordinates(); }
   [[nodiscard]] double size() const { return size_; }
-  /// A direction of A below this part of the largest singular value counts as null.
+  /// Directions that A shortens to less than this part of its largest pivot count as null.
   [[nodiscard]] double threshold() const;
   /// The place in the ground's frame about which a link's moment is taken.
   [[nodiscard]] const Table<LinkIndex, Eigen::Vector2d>& pivots() const { return pivots_; }

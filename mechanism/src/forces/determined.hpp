@@ -15,7 +15,7 @@ class LinearEquations {
   /// there.
   enum class OfLinks : unsigned char { rows, columns };
 
-  /// Directions with a singular value below this part of the largest count as null.
+  /// Directions that M shortens to less than this part of its largest pivot count as null.
   LinearEquations(const Eigen::MatrixXd& matrix, double threshold, OfLinks of_links);
 
   [[nodiscard]] bool determine_all() const { return movable_.size() == 0; }

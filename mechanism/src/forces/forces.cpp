@@ -1,4 +1,4 @@
-// Forces in a configuration, and their combination with tolerances.
+// Forces in a configuration, from the equilibrium of its links.
 #include <algorithm>
 #include <assur/mechanism/forces.hpp>
 #include <cmath>

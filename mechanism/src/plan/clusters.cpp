@@ -188,8 +188,8 @@ class ClusterFinder {
     return linkage;
   }
 
-  /// The cluster and the rest of the component, in which the base carries the group's links and has
-  /// their joints.
+  /// The cluster and the rest of the component, in which the base takes over the joints of the
+  /// group's links.
   std::optional<Cluster> concluded() {
     linkage_ = std::move(best_->linkage);
     Cluster& cluster = best_->cluster;

@@ -239,10 +239,10 @@ void GroupSolver::across(const ValueOf& value_of, const Add& add) const {
   }
 }
 
-/// Adds the rates in time. With f(q, d, u) = 0 and p(q, d, u), along the motion (q', d', u'): q' =
-/// q_u u' + q_d d', J q'' = -f''(q', d', u') - F_u u'' - F_d d'', and likewise for p. A point (x +
-/// i y) e^(i theta) that moves across its axis, y = 0, adds i y' to the first derivative and i y''
-/// - 2 theta' y' to the second: x'' is then smaller by 2 theta' y'.
+/// Adds the rates in time. With f(q, d, u) = 0 and p(q, d, u), along the motion (q', d', u'):
+/// q' = q_u u' + q_d d', J q'' = -f''(q', d', u') - F_u u'' - F_d d'', and likewise for p.
+/// A point (x + i y) e^(i theta) that moves across its axis, y = 0, adds i y' to the first and
+/// i y'' - 2 theta' y' to the second derivative: x'' is then smaller by 2 theta' y'.
 void GroupSolver::add_rates_of_links(const models::FlatVariables& q) {
   const auto& d_rate = numbers().d_rate;
   models::SmallVector d_second_rate = numbers().d_second_rate;

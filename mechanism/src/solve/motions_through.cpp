@@ -439,7 +439,7 @@ class MotionSearch {
   Eigen::BDCSVD<Eigen::MatrixXd> svd_;
   Eigen::Index rank_ = 0;
   Eigen::MatrixXd N_, W_;
-  double firmness_ = 1;  ///< the ratio of the least nonzero singular value to the largest
+  double firmness_ = 1;  ///< the ratio of the least nonzero singular value or pivot to the largest
   double noise_ = 0;
   std::vector<Motion> found_;
 };
