@@ -148,8 +148,7 @@ class Chooser {
       is_tried_ = true;
       return plan;
     } catch (const MechanismError& error) {
-      flaw_ =
-          error;  // for example if a slot would lead from a pin to another one at the same place
+      flaw_ = error;  // such as a slot from a pin to another one at the same place
       return nullptr;
     }
   }

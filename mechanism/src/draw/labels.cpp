@@ -42,8 +42,7 @@ bool crosses(const Obstacles::Line& line, const Box& box) {
 
 double text_width(const std::string& text) {
   const auto letters = std::count_if(text.begin(), text.end(), [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) !=
-           0x80U;  // the first byte of a letter in UTF-8
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;  // first byte of a letter in UTF-8
   });
   return 0.62 * text_height * static_cast<double>(letters);
 }

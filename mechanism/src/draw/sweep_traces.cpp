@@ -156,8 +156,7 @@ class WayFollower {
   bool starts_here_ = false;
   bool one_alone_ = false;
   SweepTraces swept_;
-  std::map<TraceKey, std::size_t> open_,
-      first_;  ///< the traces that continue, and those that begin here
+  std::map<TraceKey, std::size_t> open_, first_;  ///< those that continue, and that begin here
   std::map<int, int> last_step_;
 };
 

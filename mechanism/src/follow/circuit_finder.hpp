@@ -46,8 +46,7 @@ class CircuitFinder {
   Shapes shapes_;                 ///< at the first step
   std::vector<Start> starts_;
   bool has_begun_ = false;
-  std::vector<std::pair<int, int>>
-      next_;  ///< at the last step: a branch, and the one that continues it
+  std::vector<std::pair<int, int>> next_;  ///< at the last step: a branch, and its continuation
 };
 
 }  // namespace assur::mechanism::follow

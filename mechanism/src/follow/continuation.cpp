@@ -251,8 +251,7 @@ class Continuation::Follower {
   std::vector<ParameterIndex> changing_;
   Plan plan_;
   Values between_;
-  std::vector<Eigen::Index>
-      columns_;  ///< of the derivatives with respect to the changing parameters
+  std::vector<Eigen::Index> columns_;  ///< of derivatives by the changing parameters
   std::optional<follow::StraightWay> straight_;
   Item here_, next_;
   double length_;  ///< of the mechanism, the unit of points

@@ -431,8 +431,7 @@ class Sweeper {
   std::optional<double> watched_;
   std::vector<int> watched_branches_;
   std::optional<EventKind> gap_;  ///< the reason why no branch is followed at present
-  std::optional<UnfollowedInterval>
-      unfollowed_;  ///< the last interval that was not followed step by step
+  std::optional<UnfollowedInterval> unfollowed_;  ///< the last one not followed step by step
 };
 
 /// Solving throws where redundant constraints do not hold as the sweep begins.

@@ -17,9 +17,8 @@ struct PmksJoint {
   double x = 0, y = 0;
   double angle = 0;                     ///< of a slot in the ground, in radians
   std::string carrier, slot_a, slot_b;  ///< a slot in a link, along two of its joints
-  double speed =
-      0;  ///< turns per minute counter-clockwise, or length per second; 0 without its own speed
-  double mass = 0;  ///< of the block of a slider
+  double speed = 0;  ///< counter-clockwise turns per minute, or length per second; 0 if none
+  double mass = 0;   ///< of the block of a slider
 };
 
 /// A rigid body, or the block between a pin and a slider at one place.

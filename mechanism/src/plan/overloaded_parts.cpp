@@ -105,9 +105,8 @@ class Overloading {
   }
 
   const Mechanism& mechanism_;
-  Table<LinkIndex, LinkIndex>
-      carrier_;  ///< of a placed link: the link relative to which a driver moves it
-  Table<LinkIndex, LinkIndex> part_;  ///< of a link: another link of its part, or itself
+  Table<LinkIndex, LinkIndex> carrier_;  ///< of a placed link: the base of its driver
+  Table<LinkIndex, LinkIndex> part_;     ///< of a link: another link of its part, or itself
 };
 
 }  // namespace

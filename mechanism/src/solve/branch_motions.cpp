@@ -122,8 +122,7 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
   const Eigen::VectorXd f = constraints.along_laws(column);
   const Eigen::VectorXd rates = J.solve(f);
   // A place that is accurate to r / s gives J to r / s.
-  constexpr double some =
-      16;  // several sums and products enlarge a rounding error by about this factor
+  constexpr double some = 16;  // growth of a rounding error by several sums and products
   if (!(J.left(rates, f).norm() <=
         some * constraints.rounding() / J.firmness() * std::max(1.0, rates.norm()))) {
     return;  // redundant constraints cease to hold

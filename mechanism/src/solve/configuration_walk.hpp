@@ -51,11 +51,9 @@ class ConfigurationWalk {
   /// Where a mechanism may have more configurations than can be listed, they are numbered in the
   /// order of the walk, so that the first ones are found without the others.
   bool is_ordered_by_groups_;
-  bool cuts_ =
-      false;  ///< whether a configuration beyond limits is abandoned as soon as they are exceeded
-  bool has_cut_ = false;  ///< whether one was abandoned for that reason
-  bool leaves_inconsistent_ =
-      false;  ///< abandons a configuration as soon as a redundant joint cannot hold
+  bool cuts_ = false;                 ///< abandons a configuration once it is beyond limits
+  bool has_cut_ = false;              ///< whether one was abandoned beyond limits
+  bool leaves_inconsistent_ = false;  ///< abandons it once a redundant joint cannot hold
   bool has_left_inconsistent_ = false;
 };
 

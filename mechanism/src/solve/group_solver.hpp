@@ -22,9 +22,8 @@ struct PlacedGroup {
 
 /// The part of one configuration that has been placed so far.
 struct PlacedLinks {
-  Table<LinkIndex, Frame> links;  ///< the mechanism's links, then blocks
-  Table<LinkIndex, support::Displacement>
-      displaced;  ///< bound on the displacement of each by rounding
+  Table<LinkIndex, Frame> links;                      ///< the mechanism's links, then blocks
+  Table<LinkIndex, support::Displacement> displaced;  ///< bounds by rounding
   std::vector<SlideState> slides;
   std::vector<CountedAngle> counted;
   Table<GroupIndex, PlacedGroup> groups;

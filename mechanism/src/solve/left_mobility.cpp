@@ -42,8 +42,7 @@ Eigen::VectorXd any_step(Eigen::Index size, std::minstd_rand& random) {
 /// whether they then hold to rounding.
 bool closes(const Body& body, Poses& poses) {
   constexpr int most_steps = 100;
-  constexpr int most_in_vain =
-      6;  // the last is some thousand times as strongly damped as the first
+  constexpr int most_in_vain = 6;  // the last is damped some thousand times more than the first
   constexpr double least_gain = 0.9;
   constexpr double slack = 16;
   const Eigen::Index count = body.columns();

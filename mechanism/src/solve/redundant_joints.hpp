@@ -33,8 +33,7 @@ class WatchedRedundancy {
  private:
   const Values& values_;
   Table<LinkIndex, std::size_t> before_;  ///< the number of groups that each link needs
-  std::vector<std::vector<const RedundantJoint*>>
-      joints_;  ///< by the number of groups that they need
+  std::vector<std::vector<const RedundantJoint*>> joints_;  ///< by number of groups needed
 };
 
 }  // namespace assur::mechanism::solve

@@ -121,8 +121,7 @@ SettledRedundancy::Comparison SettledRedundancy::compared(const AllConstraints::
                                                           const AllConstraints::Poses& second) {
   constexpr double near = 0.01;
   constexpr double much_better = 16;
-  constexpr double alike =
-      4;  // roundings: the place halfway has the roundings of both, and one more
+  constexpr double alike = 4;  // roundings: halfway has those of both places, and one more
   constraints_.measure(first);
   const Eigen::VectorXd apart = constraints_.step(first, second);
   if (!(apart.cwiseAbs().maxCoeff() < near)) {

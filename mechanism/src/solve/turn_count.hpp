@@ -79,10 +79,9 @@ class TurnCount {
   std::vector<NearbyConfigurations> nearby_;
   std::vector<Counting> countings_;  ///< of laws that read links, for the placed links
   Doubts listed_;  ///< of listed configurations, or of those where a law has no value
-  std::vector<std::vector<bool>>
-      is_continued_;           ///< whether a configuration listed here continues one nearby
-  std::vector<Count> counts_;  ///< kept for its memory
-  std::size_t law_ = 0;        ///< under evaluation
+  std::vector<std::vector<bool>> is_continued_;  ///< whether nearby ones continue here
+  std::vector<Count> counts_;                    ///< kept for its memory
+  std::size_t law_ = 0;                          ///< under evaluation
   std::size_t placed_groups_ = 0;
 };
 

@@ -65,10 +65,9 @@ struct Values::GroupNumbers {
   std::vector<bool> is_angle;  ///< of each dimension
   values::ParameterDerivatives of_d;
   std::vector<values::DimensionDerivative> nonzero_of_d;
-  models::SmallVector d_rate,
-      d_second_rate;             ///< with respect to time; empty for links of constant shape
-  std::vector<LinkIndex> links;  ///< in the roles of the model's links
-  std::vector<Frame> own;        ///< their own frames, each in its normal frame
+  models::SmallVector d_rate, d_second_rate;  ///< in time; empty if the shapes are constant
+  std::vector<LinkIndex> links;               ///< in the roles of the model's links
+  std::vector<Frame> own;                     ///< their own frames, each in its normal frame
   std::vector<values::AcrossAxis> across;
   std::vector<values::MeasuredSlide> slides;
   std::vector<values::HeldJoint> held;

@@ -143,8 +143,7 @@ struct Solution {
 struct Nearest {
   std::size_t configuration;  ///< its index in the solution
   double distance;
-  std::optional<double>
-      runner_up;  ///< the distance of the second nearest; nothing if there is only one
+  std::optional<double> runner_up;  ///< the distance of the second nearest; nothing if none
 };
 
 }  // namespace assur::mechanism
