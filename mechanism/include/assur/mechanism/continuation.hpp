@@ -9,8 +9,8 @@
 namespace assur::mechanism {
 
 /// Follows branches through sets of values, which may change several parameters at once. Each set
-/// is reached along the straight line from the values at which the branches are. Branches pass
-/// singular configurations, and go straight through a crossing.
+/// is reached along the straight line from the values at which the branches are. Branches go
+/// through singular configurations, and straight on at a crossing.
 ///
 ///     Continuation branches(mechanism, request, {phi, length});
 ///     Values values = branches.plan().values();

@@ -78,7 +78,7 @@ inline constexpr std::size_t most_links_of_group = 8;
 struct GroupProof {
   int boxes = 0;         ///< number of disjoint balls
   int of = 0;            ///< number of complex configurations in general position
-  double radius = 0;     ///< of its ball: radians, relative to the size or a longer displacement
+  double radius = 0;     ///< of its ball, in radians and parts of the size or a longer displacement
   std::string obstacle;  ///< why this configuration is in no ball; empty if it is in one
 
   [[nodiscard]] bool is_complete() const { return obstacle.empty() && boxes == of; }
