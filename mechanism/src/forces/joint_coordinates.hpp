@@ -22,7 +22,7 @@ class JointCoordinates {
       : values_(values), configuration_(configuration) {}
 
   [[nodiscard]] CoordinatePair pair_of(JointIndex joint) const;
-  /// The features of a joint, also for a redundant one.
+  /// The same by the joint's two features, also for a joint that the plan leaves out.
   [[nodiscard]] CoordinatePair pair_of(const std::array<FeatureIndex, 2>& between) const;
   /// The second feature in the frame of the first.
   [[nodiscard]] Frame relative(const CoordinatePair& pair) const;
