@@ -35,7 +35,7 @@ double least_distance(const Table<PointIndex, ConfigurationPoint>& points) {
   return std::sqrt(square);
 }
 
-// Where branches meet, and only there, derivatives lose their digits before places do, so
+// Where branches meet, and only there, derivatives lose their digits before places do, so that
 // configurations with derivatives are apart from one another.
 bool is_regular(const Snapshot& snapshot) {
   const auto& configurations = snapshot.solution.configurations;

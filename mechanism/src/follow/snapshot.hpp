@@ -1,4 +1,4 @@
-// Holds every configuration at one value of the swept parameter, as points of one space.
+// Every configuration at one value of the swept parameter, as points of one space.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 namespace assur::mechanism::follow {
 
 /// One configuration as a point: (x / L, y / L, cos theta, sin theta) of every link, with L a
-/// length of the mechanism, and the derivative of that with respect to the swept parameter.
+/// length of the mechanism, and its derivative with respect to the swept parameter.
 struct ConfigurationPoint {
   Eigen::VectorXd at;
   Eigen::VectorXd slope;
@@ -26,18 +26,18 @@ struct Snapshot {
   double parameter = 0;
   Spread spread;
   Solution solution;
-  /// The roles that the links of every group played: determinants are compared where they agree.
+  /// The roles of every group's links: determinants are compared where they agree.
   Table<GroupIndex, const RoleAssignment*> roles;
   Table<PointIndex, ConfigurationPoint> points;  ///< in the order of the solution's configurations
   /// Whether every configuration is known, regular and apart from all others, so that each can be
   /// followed.
   bool separable = true;
   double closest = 0;  ///< the least distance of two points; infinite for fewer than two
-  /// Whether something moves freely at this value alone, so that branches have no configuration
+  /// Whether some links move freely at this value alone, so that branches have no configuration
   /// here.
   bool has_own_family = false;
 
-  /// Whether infinitely many configurations replace some that can be followed elsewhere.
+  /// Whether infinitely many configurations replace some that are isolated elsewhere.
   [[nodiscard]] bool is_degenerate() const {
     return solution.status == SolutionStatus::degenerate || has_own_family;
   }
