@@ -1,5 +1,5 @@
-// Includes what emitted solvers and the programs around them include, and calls a solver, so that
-// what all of them share is compiled once for all programs.
+// Precompiled header for emitted solvers and the programs around them: their common includes, and a
+// call of a solver.
 #pragma once
 
 #include <array>

@@ -48,7 +48,7 @@ std::size_t lines_of(const std::string& map) {
 
 struct Paper {
   const char* name;
-  /// Equations that only the audit file can audit: the paper's text says what their vectors are.
+  /// Equations that only the audit file can audit: their vectors are defined in the paper's text.
   std::set<std::string> of_vectors;
 };
 
