@@ -308,8 +308,8 @@ class SceneEmitter {
   }
 
   /// The index of the first entry of the solver's key that may differ. If the only group has two
-  /// links, in frames parallel to their normal frames, the cosine of their angle has the indices 0
-  /// to 2 and its sine 3.
+  /// links, in frames parallel to their normal frames, and carries no other link, the cosine of
+  /// their angle has the indices 0 to 2 and its sine 3.
   [[nodiscard]] std::size_t order_key(mechanism::GroupIndex group,
                                       const SpecialisedGroup& special) const {
     const auto& links = solver_.numbers.group(group).links;
@@ -317,7 +317,9 @@ class SceneEmitter {
       const SceneNumber& sine = link.frame.direction.sin;
       return !may_change(sine) && sine.value() == 0;
     });
-    const bool is_alone = solver_.plan.structure().groups.size() == 1 && links.size() == 2;
+    const mechanism::Structure& structure = solver_.plan.structure();
+    const bool is_alone = structure.groups.size() == 1 && links.size() == 2 &&
+                          structure.named_parts(solver_.mechanism()).links.size() == 2;
     return is_alone && in_line && special.first_key == 1 ? 3 : 0;
   }
 

@@ -135,6 +135,29 @@ TEST(EmitForces, FollowLinksThatLawsShape) {
 INSTANTIATE_TEST_SUITE_P(Ties, EmitForcesOfScenes, testing::Values(Ties::drivers, Ties::groups),
                          name_of_ties);
 
+/// Where a link of the only dyad carries a third one, the cosines of angles between links tell the
+/// two configurations apart, before the sines do.
+TEST(EmitForces, ComeInTheOrderOfSolveWhereADyadCarriesALink) {
+  std::vector<NamedScene> scenes;
+  for (const double angle : {0.7, -0.7}) {
+    Json scene = Json::parse(R"({
+      "links": {"ground": {"A": [0, 0], "D": [4, 0]}, "crank": {"A": [0, 0], "B": [1, 0]},
+        "coupler": {"B": [0, 0], "C": [3, 0]}, "rocker": {"D": [0, 0], "C": [2.5, 0]},
+        "arm": {"C": [0, 0], "P": [1, 0]}},
+      "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]},
+        "B": {"type": "revolute", "between": ["crank.B", "coupler.B"]},
+        "C": {"type": "revolute", "between": ["coupler.C", "rocker.C"]},
+        "D": {"type": "revolute", "between": ["ground.D", "rocker.D"]},
+        "E": {"type": "revolute", "between": ["rocker.C", "arm.C"]}},
+      "drivers": {"A": {"position": 1.1}, "E": {}},
+      "gravity": [0, -9.81], "masses": {"arm": {"mass": 2, "at": "P"}},
+      "want": ["position", "forces"]})");
+    scene["drivers"]["E"]["position"] = angle;
+    scenes.push_back({"carried_" + std::to_string(scenes.size()), scene});
+  }
+  expect_equal(compare_all(scenes));
+}
+
 /// Their multipliers are found in numbers.
 TEST(EmitForces, KeepLargerGroupsInEquilibrium) {
   constexpr unsigned seed = 61;
