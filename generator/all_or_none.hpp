@@ -1,4 +1,4 @@
-// Turns files that are whole into files of other names: all of them, or none.
+// Renames several complete files: all of them, or none.
 #pragma once
 
 #include <cstddef>
@@ -9,19 +9,19 @@
 
 namespace assur::generator {
 
-/// A file, and the name that it is to take, in the same directory.
+/// A file and its new name in the same directory.
 struct Renaming {
   std::filesystem::path from, to;
 };
 
-/// A name that could not be taken, and the reason.
+/// A renaming that failed, and the reason.
 struct FailedRenaming {
   std::filesystem::path to;
   std::error_code reason;
 };
 
-/// Gives all files their names, in place of the files that have them. Where one cannot have its
-/// name, those files have theirs again, and the files of the names before it are gone.
+/// Renames all files, replacing files that have these names. If one renaming fails, the replaced
+/// files get their names back, and the files renamed before it are removed.
 [[nodiscard]] inline std::optional<FailedRenaming> rename_all(const std::vector<Renaming>& files) {
   namespace fs = std::filesystem;
   const auto old_of = [](const Renaming& file) { return fs::path(file.from) += ".old"; };
@@ -32,11 +32,11 @@ struct FailedRenaming {
     const auto& [from, to] = files[done];
     std::error_code error;
     const fs::file_status there = fs::symlink_status(to, ignored);
-    fs::remove(old_of(files[done]), ignored);  // of a killed process
-    // What the last one replaces need not be kept, as nothing can fail behind it.
+    fs::remove(old_of(files[done]), ignored);  // left by a killed process
+    // The file that the last one replaces need not be kept, as nothing can fail afterwards.
     if (done + 1 < files.size() && fs::exists(there) && !fs::is_directory(there)) {
       fs::create_hard_link(to, old_of(files[done]), error);
-      if (error) {  // not every file system has these links
+      if (error) {  // not every file system has hard links
         fs::copy(to, old_of(files[done]), fs::copy_options::copy_symlinks, error);
       }
     }

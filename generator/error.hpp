@@ -1,4 +1,4 @@
-// Turns a failure of the generator into one typed error that names the stage and the model.
+// The error of the generator for failures of its own derivations.
 #pragma once
 
 #include <stdexcept>
@@ -6,7 +6,7 @@
 
 namespace assur::generator {
 
-/// The generator met something that its derivation does not cover: a defect, not bad input.
+/// A case that the derivation does not cover: a defect of the generator, not bad input.
 class GeneratorError : public std::logic_error {
  public:
   GeneratorError(const std::string& stage, const std::string& model, const std::string& what)

@@ -1,4 +1,4 @@
-# Runs a command to its end, or stops with what it said; its words are `output` then.
+# Runs a command and puts its output in `output`; stops with that output if the command fails.
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE status OUTPUT_VARIABLE output
     ERROR_VARIABLE output)

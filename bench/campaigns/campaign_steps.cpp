@@ -1,4 +1,4 @@
-// Turns a step of a campaign into samples whose instructions callgrind counts:
+// Runs one step of a campaign for callgrind, which counts its instructions per sample:
 // campaign_steps (loop | rows | statistics) SCENE COUNT.
 #include <array>
 #include <assur/mechanism/campaign.hpp>
@@ -13,8 +13,8 @@ namespace {
 
 using namespace assur::mechanism;
 
-/// What a user would write without a campaign: values are set, and the configuration nearest to the
-/// first one is found. The values of a hundred samples are computed beforehand and used in turn.
+/// What a user would write without a campaign: sets the values and finds the configuration nearest
+/// to the first one. The values of a hundred samples are computed beforehand and used in turn.
 double loop(const Scene& scene, const Sampling& sampling, std::uint64_t count) {
   constexpr std::uint64_t different = 100;
   std::vector<std::vector<std::pair<ParameterIndex, double>>> values_of(different);
@@ -63,7 +63,7 @@ double campaign(const Sampling& sampling, bool with_statistics) {
   double sum = 0;
   run_campaign(campaign, {0, campaign.items}, 1, nullptr, [&](const RowBlock& block) {
     for (std::size_t at = 0; at < block.rows.size(); at += width) {
-      sum += block.rows[at + 2];  // behind the sample and its outcome
+      sum += block.rows[at + 2];  // behind the sample number and its outcome
       for (std::size_t point = 0; with_statistics && point < statistics.size(); ++point) {
         statistics[point].add({block.rows[at + 2 + 2 * point], block.rows[at + 3 + 2 * point]});
       }

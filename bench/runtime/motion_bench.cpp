@@ -1,6 +1,6 @@
-// Times all sensitivities, velocity and acceleration of an RRR-RRR tetrad, generated and in
-// fixed-size Eigen from angles, over the same 10,000 configurations, in one run; and the generated
-// function of every model of every group.
+// Times all sensitivities, velocity and acceleration of an RRR-RRR tetrad over the same 10,000
+// configurations in one run, by generated code and by fixed-size Eigen from angles; and the
+// generated function of every model of every group.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/LU>
@@ -27,7 +27,7 @@ struct Sample {
   assur::Vector<double, Model::input_count> u_rate, u_second_rate;
 };
 
-/// Random configurations; the equations can be solved whether or not the loops close.
+/// Random configurations; the linear equations can be solved whether or not the loops close.
 template <typename Model>
 const std::vector<Sample<Model>>& samples() {
   static const std::vector<Sample<Model>> list = [] {

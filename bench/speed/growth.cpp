@@ -1,6 +1,6 @@
-// Turns chains and models of growing number into their costs: time per configuration over the
-// groups of a chain, emission time and size over the number of models, compile time of a generated
-// header. Writes growth.json, .md and .dat into a directory: growth DIRECTORY.
+// Measures growth: time per configuration over the groups of a chain, emission time and size over
+// the number of models, compile time of a generated header. Writes growth.json, .md and .dat into a
+// directory: growth DIRECTORY.
 #include <benchmark/benchmark.h>
 
 #include <assur/assembly.hpp>
@@ -33,8 +33,8 @@ double median_of(int repetitions, Measure measure) {
   return values[static_cast<std::size_t>(repetitions / 2)];
 }
 
-/// Groups in a row: each hangs on a joint of the one before and on the base. For each, one
-/// configuration is taken, and all derivatives of the group are computed.
+/// Groups in a row: each is joined to the one before and to the base. One configuration of each is
+/// taken, and all derivatives of the group are computed.
 template <typename Model>
 class Chain {
  public:
@@ -149,7 +149,7 @@ Json emission_rows(const std::filesystem::path& scratch) {
   return rows;
 }
 
-/// A program that uses every function that a user calls of one model, and one that only includes.
+/// A program that calls every user function of one model, and one that only includes its header.
 Json compile_rows(const std::filesystem::path& scratch) {
   const auto compile = [&](const std::string& text) {
     const std::filesystem::path source = scratch / "compiled.cpp";
@@ -191,7 +191,7 @@ Json compile_rows(const std::filesystem::path& scratch) {
   return rows;
 }
 
-/// An array of flat objects as a table.
+/// Writes an array of flat objects as a table.
 void write_table(const Json& rows, std::ostream& out) {
   std::string line = "|";
   out << "|";
@@ -210,7 +210,7 @@ void write_table(const Json& rows, std::ostream& out) {
   out << '\n';
 }
 
-/// Writes one block per table, with its numbers alone.
+/// Writes the numbers of each table as a block.
 void write_columns(const Json& rows, std::ostream& out) {
   for (const Json& row : rows) {
     for (const auto& [key, value] : row.items()) {

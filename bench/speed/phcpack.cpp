@@ -39,7 +39,7 @@ std::string polynomial_of(const SquaredClosure& closure) {
          ";\n";
 }
 
-/// The files of one call, removed with it.
+/// The files of one call, removed by the destructor.
 struct CallFiles {
   std::filesystem::path input, output;
   CallFiles() {
@@ -69,7 +69,7 @@ double children_ns() {
 
 struct Answer {
   std::vector<LinkDirections> found;  ///< on unit circles
-  double solving_ns = 0;              ///< as PHCpack states it, without its start and its files
+  double solving_ns = 0;              ///< as PHCpack states it, without program start and files
   double call_ns = 0;                 ///< processor time of the process
 };
 
@@ -106,7 +106,7 @@ Answer read_output(const std::filesystem::path& path, std::size_t links) {
   return result;
 }
 
-/// Empty if the program fails.
+/// Empty if PHCpack fails.
 std::optional<Answer> solved(const std::vector<SquaredClosure>& closures) {
   const CallFiles files;
   std::ofstream input(files.input);

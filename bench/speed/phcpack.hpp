@@ -1,4 +1,4 @@
-// Turns squared loop closures into rows of the homotopy continuation of PHCpack.
+// Rows for PHCpack's homotopy continuation on squared loop closures.
 #pragma once
 
 #include <complex>
@@ -20,14 +20,14 @@ struct SquaredClosure {
 /// The directions z1, z2, ... of a configuration.
 using LinkDirections = std::vector<std::complex<double>>;
 
-/// What PHCpack is asked at an input, and how far its answer, all configurations, is off.
+/// The question to PHCpack at an input, and the error of its answer, all configurations.
 struct PhcQuestions {
   std::function<std::vector<SquaredClosure>(std::size_t input)> closures;
   std::function<double(std::size_t input, const std::vector<LinkDirections>& found)> error;
 };
 
 /// Adds the rows of its black-box solver on as many closures as there are links, as Laurent
-/// polynomials. Each input takes a process, so there are few inputs, and the rows bring their own
+/// polynomials. Each input takes a process, so there are few inputs, and the rows hold their own
 /// median times: of solving, as PHCpack states it, and of the whole process.
 void add_phc_rows(Task& task, std::size_t inputs, const PhcQuestions& questions);
 

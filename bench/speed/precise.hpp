@@ -1,4 +1,4 @@
-// CLN's real numbers of 60 digits as the scalar of generated code, for the truth.
+// CLN's real numbers of 60 digits as a scalar of generated code, for reference values.
 #pragma once
 
 #include <cln/float.h>
@@ -10,7 +10,7 @@
 
 namespace assur::speed {
 
-/// Integers are exact; whatever meets a float of 60 digits becomes one.
+/// Integers are exact; arithmetic with a float of 60 digits gives such a float.
 using Precise = cln::cl_R;
 
 /// The value of a float, a double or a long double.
@@ -52,7 +52,7 @@ void assign(Direction<To>& to, const Direction<From>& from) {
 
 }  // namespace precise_detail
 
-/// Variables of a model, to or from 60 digits.
+/// Converts a model's variables to or from 60 digits.
 template <typename To, typename From>
 [[nodiscard]] To in_scalar(const From& from) {
   To result;
@@ -108,7 +108,7 @@ class PreciseJacobian {
   Matrix<Precise, size, size> matrix_;
 };
 
-/// Newton's iteration from a configuration near by. False if it does not settle at 50 digits.
+/// Newton's iteration from a configuration near by. False if it does not converge to 50 digits.
 template <typename Model>
 [[nodiscard]] bool assemble(const typename Model::template Dimensions<Precise>& d,
                             const typename Model::template Inputs<Precise>& u,

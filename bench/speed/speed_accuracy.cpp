@@ -1,6 +1,6 @@
-// Turns random inputs into the speed and the accuracy of every method: speed_accuracy.json, .md and
-// .dat, into a directory. A number after it scales the run: 0.05 is a quick look. Names after that
-// choose parts of the bench.
+// Measures the speed and the accuracy of every method on random inputs. Writes speed_accuracy.json,
+// .md and .dat into a directory. A number after it scales the run: 0.05 is a quick look. Names
+// after that choose parts of the bench.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -21,7 +21,7 @@ void append(std::vector<Task>& all, std::vector<Task> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-/// Tasks that are made together.
+/// Tasks that are built together.
 struct Part {
   const char* name;
   std::vector<Task> (*tasks)(const TaskSizes& sizes);
@@ -38,7 +38,7 @@ constexpr std::array<Part, 9> parts = {{
     {"batches", batch_tasks},
 }};
 
-/// Runs the parts that are named; all of them if none is.
+/// Runs the named parts; all of them if none is named.
 int run(const std::filesystem::path& directory, double scale,
         const std::vector<std::string>& names) {
   const auto scaled = [scale](std::size_t count, std::size_t least) {

@@ -1,4 +1,4 @@
-// The tasks of the table, made with the errors of every method; the times are filled in later.
+// The tasks of the table with the errors of every method; the times are filled in later.
 #pragma once
 
 #include "table/row.hpp"
@@ -8,7 +8,7 @@ namespace assur::speed {
 struct TaskSizes {
   std::size_t inputs = 10000;
   std::size_t near_singular = 2000;
-  std::size_t phc_inputs = 20;  ///< of the positions that PHCpack solves, a process each
+  std::size_t phc_inputs = 20;  ///< positions that PHCpack solves, a process each
 };
 
 [[nodiscard]] std::vector<Task> derivative_tasks(const TaskSizes& sizes);

@@ -1,5 +1,5 @@
-// Turns the crank angles of a four-bar into its coupler point, on a microcontroller: every
-// configuration once, then the one of a branch around the whole turn.
+// The coupler point of a four-bar on a microcontroller: every configuration once, then one branch
+// around a whole turn of the crank.
 #include <array>
 #include <assur/scenes/four_bar_coupler_curve.hpp>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Writes lines of text, with numbers in thousandths, without an operating system's help.
+/// Writes lines of text, with numbers in thousandths, without an operating system.
 class Console {
  public:
   Console& operator<<(const char* text) {
@@ -20,7 +20,7 @@ class Console {
     return *this;
   }
   Console& operator<<(double number) {
-    std::array<char, 24> text{};  // its last letter stays zero
+    std::array<char, 24> text{};  // the last character stays zero
     char* at = &text.back();
     auto left = static_cast<long>(std::lround(std::abs(number) * 1000));
     for (int digit = 0; digit < 4 || left > 0; ++digit, left /= 10) {

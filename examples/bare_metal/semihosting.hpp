@@ -1,5 +1,4 @@
-// Turns requests of a program without an operating system into those of the debugger, or of QEMU,
-// that it runs under: to read, to write and to end.
+// Console, file reading and exit without an operating system, by requests to the debugger or QEMU.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +6,7 @@
 
 namespace semihosting {
 
-/// ARM's operations, which RISC-V shares.
+/// Operations of ARM semihosting, which RISC-V shares.
 enum class Operation : std::uintptr_t { open = 0x01, write = 0x05, read = 0x06, exit = 0x18 };
 
 inline std::uintptr_t call(Operation operation, const void* block) {
@@ -30,7 +29,7 @@ inline std::uintptr_t call(Operation operation, const void* block) {
 #endif
 }
 
-/// The console: to read from, or to write to.
+/// Opens the console for reading or for writing.
 inline std::uintptr_t console(bool writes) {
   static constexpr char name[] = ":tt";
   const std::uintptr_t block[] = {reinterpret_cast<std::uintptr_t>(name), writes ? 4U : 0U,
@@ -43,13 +42,13 @@ inline void write(std::uintptr_t file, const void* bytes, std::size_t size) {
   (void)call(Operation::write, block);
 }
 
-/// How many bytes were read.
+/// The number of bytes read.
 inline std::size_t read(std::uintptr_t file, void* bytes, std::size_t size) {
   const std::uintptr_t block[] = {file, reinterpret_cast<std::uintptr_t>(bytes), size};
   return size - call(Operation::read, block);
 }
 
-/// Ends the program; its caller sees failure where `status` is not zero.
+/// Ends the program; a `status` other than zero is reported as failure.
 [[noreturn]] inline void exit(int status) {
   constexpr std::uintptr_t application_exit = 0x20026, run_time_error = 0x20023;
   for (;;) {

@@ -1,4 +1,4 @@
-// Turns a Cortex-M with a floating-point unit that has just been reset into one that runs main.
+// Start-up of a Cortex-M with a floating-point unit: from reset to main.
 #include <array>
 #include <cstdint>
 
@@ -28,7 +28,7 @@ int main();
 
 namespace {
 
-/// Where the stack begins, and what runs at a reset and at each exception.
+/// The initial stack pointer, and the handlers of reset and exceptions.
 struct Vectors {
   std::uint32_t* stack;
   std::array<void (*)(), 15> handlers;

@@ -1,4 +1,4 @@
-// Turns measured points of a coupler curve into the lengths of the four-bar that drew it.
+// Fits the lengths of a four-bar to measured points of its coupler curve.
 #include <Eigen/QR>
 #include <array>
 #include <assur/scenes/measured_four_bar.hpp>
@@ -8,12 +8,12 @@
 using FourBar = assur::scenes::MeasuredFourBar;
 constexpr int lengths = FourBar::parameter_count;
 
-/// A crank angle in degrees, and where the coupler point P was found, in millimetres.
+/// A crank angle in degrees, and the measured position of the coupler point P in millimetres.
 struct Measurement {
   double angle, x, y;
 };
 
-/// Of a four-bar of 80.35, 40.12, 99.71, 100.42 and 200.90 mm, with an error of 0.05 mm.
+/// From a four-bar of 80.35, 40.12, 99.71, 100.42 and 200.90 mm, with an error of 0.05 mm.
 constexpr std::array<Measurement, 16> measured{{
     {5.0, 94.22, 196.94},
     {27.5, 152.70, 181.67},
@@ -34,13 +34,13 @@ constexpr std::array<Measurement, 16> measured{{
 }};
 constexpr auto rows = static_cast<int>(2 * measured.size());
 
-/// The residuals at the lengths, point by point, and their derivatives by the lengths.
+/// The residuals at the lengths, point by point, and their derivatives with respect to them.
 struct Misfit {
   Eigen::Matrix<double, rows, 1> left;
   Eigen::Matrix<double, rows, lengths> slope;
 };
 
-/// False where the four-bar does not reach one of the points' crank angles.
+/// False where the four-bar does not reach the crank angle of some point.
 bool evaluate(const FourBar::Parameters<double>& parameters, Misfit& misfit) {
   int row = 0;
   for (const Measurement& point : measured) {
@@ -83,7 +83,7 @@ int main() {
       std::printf("  %8.3f", *length);
     }
     std::printf("\n");
-    // Gauss-Newton: the lengths that would be best if points moved linearly with them.
+    // Gauss-Newton: the lengths that are optimal if points depend linearly on them.
     const Eigen::Matrix<double, lengths, 1> change =
         misfit.slope.colPivHouseholderQr().solve(-misfit.left);
     int place = 0;

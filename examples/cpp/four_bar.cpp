@@ -1,4 +1,4 @@
-// Turns a four-bar that is built in C++ into the path of its coupler point, in all configurations.
+// The path of a coupler point in all configurations of a four-bar that is built in C++.
 #include <assur/mechanism/plan.hpp>
 #include <cstdio>
 

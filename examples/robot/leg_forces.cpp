@@ -1,9 +1,9 @@
 // Maps the motor torques of a five-bar leg to the force at its foot and back, along a step.
 //
-// With the foot at p(y), y the angles of the two motors, and the Jacobian G = dp/dy, which the
-// solver tells as first coefficients, the power of the motors is that of the force with which the
-// foot pushes on the floor: tau . y' = f . p', so that tau = G^T f. Neither G nor its inverse maps
-// efforts forward: it is the transpose.
+// With the foot at p(y), y the angles of the two motors, and the Jacobian G = dp/dy, the first
+// coefficients of the solver, the power of the motors equals that of the force of the foot on the
+// floor: tau . y' = f . p', so that tau = G^T f. Efforts are mapped by the transpose, not by G or
+// its inverse.
 #include <Eigen/LU>
 #include <array>
 #include <assur/scenes/five_bar_leg.hpp>
@@ -34,7 +34,7 @@ int main() {
     motors.A.velocity = 0.2 * std::cos(phase);
     motors.B.velocity = 0.2 * std::sin(phase);
     if (Leg::track(motors, branch, state).status != assur::Status::ok) {
-      return 1;  // the leg does not reach them on the branch that it is on
+      return 1;  // the current branch does not reach these angles
     }
     const auto& foot = state.outputs.P;
     const Eigen::Matrix2d G = state.coefficients.outputs.P.first;  // a column for each motor

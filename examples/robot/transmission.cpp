@@ -1,7 +1,7 @@
-// A leg whose knee is moved by a rod, as a transmission for robot software: the joint angles
-// q = gamma(y) of hip and knee for the angles y of the motors, the Jacobian G = dq/dy, and the bias
-// G' y', called once a millisecond for a second. The solver tells G and its derivatives as first
-// and second coefficients of the joints.
+// A leg whose knee is moved by a rod, as a transmission for robot software: the joint angles q =
+// gamma(y) of hip and knee for the angles y of the motors, the Jacobian G = dq/dy, and the bias G'
+// y', called once a millisecond for a second. G and its derivatives are the first and second
+// coefficients of the joints in the solver's state.
 //
 // Efforts at the joints become those of the motors by tau_y = G^T tau_q, and a controller of joint
 // accelerations asks the motors for y'' = G^-1 (q'' - G' y').
@@ -17,12 +17,12 @@ struct Transmission {
   Eigen::Vector2d joints;    ///< q: hip, and knee as the angle of the shank on the thigh
   Eigen::Matrix2d jacobian;  ///< G
   Eigen::Vector2d bias;      ///< G' y'
-  /// The rates of the joints, and their accelerations at constant speeds of the motors, from the
-  /// motion of the links.
+  /// The rates of the joints, and their accelerations at constant motor speeds, from the motion of
+  /// the links.
   Eigen::Vector2d rate, acceleration;
 };
 
-/// Follows the branch that is drawn.
+/// Follows the branch of the drawn configuration.
 class Leg {
  public:
   Leg() {

@@ -39,8 +39,8 @@ std::vector<Asked> AskedPoints::drawn() {
     if (drawn == nullptr) {
       break;
     }
-    // Unknown lengths have either sign: they are negated at every other point.
-    // Computed points have them as they are solved for.
+    // Unknown lengths have either sign: they are negated at every other point. Computed points keep
+    // the signs of their solution.
     std::optional<Point> point = index % 2 == 0 || drawn->is_computed ? *drawn : turned(*drawn);
     if (!point || !is_allowed(*point)) {
       continue;
@@ -88,7 +88,7 @@ std::optional<AskedPoints::Point> AskedPoints::turned(const Point& point) {
   }
   try {
     return assembled_ ? points_.assembled_from(values) : Point{values, {}};
-  } catch (const std::runtime_error&) {  // it cannot be assembled with these signs
+  } catch (const std::runtime_error&) {  // no configuration has these signs
     return std::nullopt;
   }
 }
@@ -155,7 +155,7 @@ bool AskedPoints::is_allowed(Point& point) {
     const GiNaC::ex formula = closures::read_formula(condition, system);
     try {
       return points_.value(formula, point).evalf().info(GiNaC::info_flags::positive);
-    } catch (const closures::NotAlgebraic& error) {  // it has no value there
+    } catch (const closures::NotAlgebraic& error) {  // an entry has no value at this point
       obstacle_ = error.what();
       return false;
     }

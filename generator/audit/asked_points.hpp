@@ -1,4 +1,4 @@
-// Turns a closure system into the points at which a program is run.
+// Points at which a user's program is run, drawn from a closure system.
 #pragma once
 
 #include "audit/rounding_bound.hpp"
@@ -6,15 +6,15 @@
 
 namespace assur::generator::audit {
 
-/// What a program's matrix should be: entries row by row, each with its name.
+/// The expected entries of a program's matrix, row by row, each with its name.
 struct ExpectedMatrix {
   running::MatrixSize size;
   std::vector<std::string> items;
   std::vector<GiNaC::ex> derived;
-  bool on_closures = false;  ///< whether it is computed only where the closures hold
+  bool on_closures = false;  ///< whether it is compared only where the closures hold
 };
 
-/// A point, what the program is given there, and what it gives.
+/// A point, the values that the program receives there, and those that it should return.
 struct Asked {
   closures::ClosurePoints::Point point;
   SymbolValues values;
@@ -30,24 +30,24 @@ class AskedPoints {
               const RunStatement& run)
       : points_(points), expected_(expected), run_(run), assembled_(expected.on_closures) {}
 
-  /// Returns the points of comparisons. Points at which a given length is negative come last, since
-  /// a program may refuse such lengths; unknown lengths have either sign. Points at which an entry
+  /// Returns points for comparisons. Points at which a given length is negative come last, since a
+  /// program may refuse such lengths; unknown lengths have either sign. Points at which an entry
   /// has no value are left out. Throws FormulaError if there are too few points.
   [[nodiscard]] std::vector<Asked> drawn();
-  /// Returns points of small numbers, for counterexamples that can be checked with a pencil. There
-  /// may be none.
+  /// Returns points of small numbers, for counterexamples that can be checked with a pencil. May be
+  /// empty.
   [[nodiscard]] std::vector<Asked> simple();
   /// Whether the closures hold at the points.
   [[nodiscard]] bool assembled() const { return assembled_; }
-  /// Returns the number and sort of points, for people: `40 assembled rational points`.
+  /// Returns the number and sort of points as text: `40 assembled rational points`.
   [[nodiscard]] std::string sort_of(const std::vector<Asked>& points) const;
 
   /// Returns the exact value, rounded to a double. Throws NotAlgebraic.
   [[nodiscard]] double value_at(const GiNaC::ex& expression, closures::ClosurePoints::Point& point);
-  /// Whether the program is given the rates of a symbol. It is given those of an unknown only where
-  /// its call mentions them.
+  /// Whether the program receives the rates of a symbol. It receives those of an unknown only where
+  /// its call names them.
   [[nodiscard]] bool has_rates(const closures::AuditSymbol& symbol) const;
-  /// Whether the call of the program has this name in it.
+  /// Whether the call of the program contains this name.
   [[nodiscard]] bool mentions(const std::string& name) const;
 
  private:
@@ -57,7 +57,7 @@ class AskedPoints {
   [[nodiscard]] bool parameters_positive(const Point& point) const;
   /// Returns false, and adds nothing, where an entry has no value.
   bool add_point(const Point& point, std::vector<Asked>& list);
-  /// Computes what the program is given, and the derivatives in entries. Throws NotAlgebraic.
+  /// Computes the input of the program, and the derivatives in the entries. Throws NotAlgebraic.
   void complete(Asked& asked);
 
   closures::ClosurePoints& points_;

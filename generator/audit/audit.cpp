@@ -10,8 +10,8 @@ namespace assur::generator::audit {
 
 namespace {
 
-/// The closures that are printed with all signs reversed. The reversal applies to everything that
-/// is printed, also before them, so they are found first.
+/// The closures that are printed with all signs reversed. The reversal applies to everything
+/// printed, also before them, so they are found first.
 std::set<std::string> turned_closures(const std::vector<closures::Statement>& statements,
                                       const std::string& file) {
   const SceneReader no_scenes;
@@ -22,7 +22,7 @@ std::set<std::string> turned_closures(const std::vector<closures::Statement>& st
       auditor.read_signs(statement);
     }
   } catch (const text::InputError&) {
-    return {};  // the audit meets an error, too, and reports the first one of the file
+    return {};  // the audit meets the same error and reports it
   }
   return auditor.turned();
 }

@@ -22,7 +22,7 @@ std::string counted(std::size_t agree, std::size_t all) {
                       : std::to_string(agree) + " of " + std::to_string(all) + " agree";
 }
 
-/// How many findings agree; where all others hold on the same branch, on which.
+/// The number of findings that agree, and the branch on which all others hold if there is one.
 std::string counted(const AuditedStatement& statement) {
   const std::size_t agree = agreeing(statement);
   std::string branch;
@@ -41,7 +41,7 @@ std::string counted(const AuditedStatement& statement) {
                         : counted(agree, statement.findings.size()) + ", the rest " + branch;
 }
 
-/// One letter for each entry of a matrix, so that a glance finds the wrong ones.
+/// One letter for each entry of a matrix, so that the wrong ones are seen at a glance.
 char mark(const Finding& finding) {
   switch (finding.comparison.verdict) {
     case Verdict::agrees:
@@ -66,14 +66,14 @@ std::string place_text(const std::string& file, closures::Place place) {
   return file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
 }
 
-/// The line with a mark under the place; empty where it is not known.
+/// The line with a mark under the place; empty if the line is unknown.
 std::string quoted_line(const Finding& finding) {
   if (finding.line.empty()) {
     return "";
   }
   constexpr std::size_t most = 160;
   const std::size_t column = finding.place.column - 1;
-  // A long line is quoted around the place alone.
+  // A long line is quoted only near the place.
   std::size_t from = column > most / 2 && finding.line.size() > most ? column - most / 2 : 0;
   const auto is_inside_a_letter = [&](std::size_t at) {
     return at > 0 && at < finding.line.size() && (finding.line[at] & 0xC0) == 0x80;
@@ -92,7 +92,7 @@ std::string quoted_line(const Finding& finding) {
   return "    " + finding.line.substr(from, to - from) + "\n    " + under + "^\n";
 }
 
-/// What is known of a disagreement, as pairs of a word and a text.
+/// The details of a disagreement, as pairs of a title and a text.
 std::vector<std::pair<std::string, std::string>> details(const Finding& finding) {
   const Comparison& comparison = finding.comparison;
   std::vector<std::pair<std::string, std::string>> lines;
@@ -167,7 +167,7 @@ std::pair<std::size_t, std::size_t> totals(const AuditReport& report) {
   return {agree, all};
 }
 
-/// A text as GitHub's workflow commands want it escaped; a property may not contain ':' or ','.
+/// Text escaped for GitHub's workflow commands; a property may not contain ':' or ','.
 std::string escaped(const std::string& text, bool property) {
   std::string result;
   for (const char letter : text) {

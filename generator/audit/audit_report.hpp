@@ -1,5 +1,4 @@
-// Turns audit reports into text for people, Markdown for documents, JSON for programs, or
-// annotations for GitHub.
+// Audit reports as text, as Markdown, as JSON, or as annotations for GitHub.
 #pragma once
 
 #include <string>
@@ -11,7 +10,7 @@ namespace assur::generator::audit {
 
 [[nodiscard]] std::string audit_report_text(const std::vector<AuditReport>& reports);
 [[nodiscard]] std::string audit_report_markdown(const std::vector<AuditReport>& reports);
-/// One `::error file=...,line=...,col=...::` for each finding that does not agree.
+/// One `::error file=...,line=...,col=...::` for each finding that disagrees.
 [[nodiscard]] std::string audit_report_github(const std::vector<AuditReport>& reports);
 [[nodiscard]] std::string audit_report_json(const std::vector<AuditReport>& reports);
 

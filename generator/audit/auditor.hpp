@@ -1,4 +1,4 @@
-// Turns the statements of an audit file, one after the other, into declarations and findings.
+// Reads the statements of an audit file into declarations and findings.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ namespace assur::generator::audit {
 /// Reads statements in their order: each may use what earlier ones declare.
 class Auditor {
  public:
-  /// `turned` names closures that are read with all signs reversed.
+  /// `turned`: names of closures that are read with all signs reversed.
   Auditor(const std::string& file, const SceneReader& scenes, const RunPermission& run,
           std::set<std::string> turned = {})
       : directory_(std::filesystem::path(file).parent_path()),
@@ -29,10 +29,10 @@ class Auditor {
   Auditor& operator=(const Auditor&) = delete;
 
   void read(const closures::Statement& statement);
-  /// Reads declarations and printed closures alone, which is all that `turned` needs.
+  /// Reads declarations and printed closures only; `turned` needs no more.
   void read_signs(const closures::Statement& statement);
   [[nodiscard]] AuditReport report() const;
-  /// The closures that are printed with all signs reversed wherever they are printed.
+  /// The closures whose every printed form has all signs reversed.
   [[nodiscard]] std::set<std::string> turned() const;
 
  private:
@@ -69,7 +69,7 @@ class Auditor {
   const SceneReader& scenes_;
   const RunPermission& run_;
   std::set<std::string> turned_;
-  std::map<std::string, bool> printed_closures_;  ///< whether all signs are reversed each time
+  std::map<std::string, bool> printed_closures_;  ///< whether all signs are reversed every time
   closures::ClosureReader reader_;
   closures::ClosurePoints points_{reader_.system()};
   NumericExample numbers_;

@@ -8,7 +8,7 @@ namespace {
 
 using Telling = closures::ClosurePoints::Telling;
 
-/// The condition by the sign of one quantity; empty if it does not tell.
+/// The condition by the sign of one quantity; empty if the sign does not separate the points.
 BranchCondition told_by(closures::ClosurePoints& points, const Telling& telling,
                         const std::vector<TestedPoint>& tested) {
   int sense = 0;
@@ -38,8 +38,8 @@ BranchCondition branch_condition(closures::ClosurePoints& points, const GiNaC::e
     if (condition.empty()) {
       continue;
     }
-    // Where two ways of assembly meet, the Jacobian is singular. The sign of a quantity that does
-    // not vanish there may tell them apart by chance alone, for these lengths.
+    // Where two assembly modes meet, the Jacobian is singular. A quantity that does not vanish
+    // there may separate them only by chance, for these lengths.
     if (points.is_singular_with(telling)) {
       return condition;
     }

@@ -1,5 +1,4 @@
-// Turns the points at which a statement holds, and those at which it does not, into the sign of a
-// quantity that tells them apart.
+// The sign condition that separates the points at which a statement holds from the others.
 #pragma once
 
 #include "closures/closure_points.hpp"
@@ -12,7 +11,7 @@ struct TestedPoint {
   bool holds;
 };
 
-/// `cos(ph) > 0`, and its contrary; both empty if the sign of no quantity tells.
+/// `cos(ph) > 0` and its opposite; both empty if no quantity's sign separates the points.
 struct BranchCondition {
   std::string where_it_holds;
   std::string where_it_fails;
@@ -20,15 +19,15 @@ struct BranchCondition {
   [[nodiscard]] bool empty() const { return where_it_holds.empty(); }
 };
 
-/// The first of a list of simple conditions that holds at all points where the statement does, and
-/// at no other: the sign of a cosine, sine, length or derivative, of the cosine or sine of a sum or
-/// difference of two angles, ... Preferred are quantities with which the Jacobian becomes singular,
-/// and then its determinant.
+/// The first of a list of simple conditions that holds exactly at the points where the statement
+/// does: the sign of a cosine, sine, length or derivative, of the cosine or sine of a sum or
+/// difference of two angles, ... Quantities at whose zeros the Jacobian is singular come first,
+/// then its determinant.
 [[nodiscard]] BranchCondition branch_condition(closures::ClosurePoints& points,
                                                const GiNaC::ex& statement,
                                                const std::vector<TestedPoint>& tested);
 
-/// `agrees at 20 of 40 points, all those where cos(ph) > 0`, or that no simple condition tells.
+/// `agrees at 20 of 40 points, all those where cos(ph) > 0`, or that there is no simple condition.
 [[nodiscard]] std::string branch_text(const std::vector<TestedPoint>& tested,
                                       const BranchCondition& condition);
 

@@ -13,7 +13,7 @@ namespace assur::generator::audit {
 
 namespace {
 
-/// The other signs of roots are not tried for more roots than this: too many would have to be.
+/// The most roots whose other signs are tried: the number of choices doubles with each.
 constexpr std::size_t most_roots = 6;
 /// The number of decimal digits that must agree where roots of numbers are irrational.
 constexpr int agreeing_digits = 40;
@@ -35,11 +35,11 @@ std::string amount(const GiNaC::ex& value) {
       GiNaC::ex_to<GiNaC::numeric>(value).numer().int_length() < 40) {
     return closures::formula_text(value);
   }
-  // More digits than are shown, since rounding depends on GiNaC's order of the terms.
+  // More digits than are printed, since rounding depends on GiNaC's order of the terms.
   const equations::MoreDigits digits;
   const GiNaC::ex decimal = value.evalf();
   if (!decimal.info(GiNaC::info_flags::real) || !GiNaC::is_a<GiNaC::numeric>(decimal)) {
-    return closures::formula_text(value);  // an angle may stand outside sines and cosines
+    return closures::formula_text(value);  // an angle may occur outside sines and cosines
   }
   std::ostringstream text;
   text.precision(12);
@@ -47,7 +47,7 @@ std::string amount(const GiNaC::ex& value) {
   return text.str();
 }
 
-/// How the two sides compare; for angles, by cosines, so that whole turns do not count.
+/// Difference and sum of the two sides; for angles, of cosines, so that whole turns do not count.
 struct Sides {
   GiNaC::ex difference;  ///< zero where they agree
   GiNaC::ex sum;         ///< zero where they are opposite
@@ -63,8 +63,8 @@ Sides sides_of(closures::ClosurePoints& points, const GiNaC::ex& printed,
   return {difference, printed + derived};
 }
 
-/// Whether an expression with this value vanishes at the point; nothing where rounding leaves that
-/// open. The value at a computed point is judged by the running bound of its rounding error.
+/// Whether an expression with this value vanishes at the point; empty if rounding leaves it open.
+/// The value at a computed point is judged by a running bound of its rounding error.
 std::optional<bool> vanishes_at(closures::ClosurePoints& points, const GiNaC::ex& expression,
                                 const GiNaC::ex& value, closures::ClosurePoints::Point& point) {
   if (!point.is_computed) {
@@ -72,7 +72,7 @@ std::optional<bool> vanishes_at(closures::ClosurePoints& points, const GiNaC::ex
   }
   constexpr double rounding = 1e-40;
   constexpr double certain = 1e-30;
-  constexpr double of_roots = 1e-10;  // roots of what vanishes keep a half of its digits, or less
+  constexpr double of_roots = 1e-10;  // a root near zero has half of the digits, or fewer
   const double bound =
       rounded_value(points.system().expanded(expression), symbol_values(points, point)).error;
   if (!GiNaC::is_a<GiNaC::numeric>(value)) {
@@ -88,7 +88,7 @@ std::optional<bool> vanishes_at(closures::ClosurePoints& points, const GiNaC::ex
   return std::nullopt;
 }
 
-/// Whether the sides are opposite; false where their sum has no algebraic form.
+/// Whether the sides are opposite; false if their sum has no algebraic form.
 bool are_opposite(closures::ClosurePoints& points, const Sides& sides,
                   closures::ClosurePoints::Point& point) {
   try {
@@ -98,7 +98,7 @@ bool are_opposite(closures::ClosurePoints& points, const Sides& sides,
   }
 }
 
-/// Compares at one point after the other.
+/// Compares two expressions at one point after the other.
 class PointwiseComparison {
  public:
   PointwiseComparison(closures::ClosurePoints& points, const Sides& sides,
@@ -122,7 +122,7 @@ class PointwiseComparison {
       return {Verdict::undecided,
               obstacle_.empty() ? "no point was found where the closures hold" : obstacle_, "", ""};
     }
-    // Rational points are of one family, on which what holds at random points holds everywhere.
+    // Rational points are of one family: what holds at random ones of them holds at all.
     if (assembled_ && !is_computed()) {
       add_other_factors();
     }
@@ -173,8 +173,8 @@ class PointwiseComparison {
     }
   }
 
-  /// Adds points of all factors of the closures, if a statement that holds at all others does not
-  /// hold at one of them.
+  /// Adds points of all factors of the closures, if a statement that holds at all other points
+  /// fails at one of them.
   void add_other_factors() {
     if (!std::ranges::all_of(tested_, &TestedPoint::holds)) {
       return;
@@ -188,7 +188,7 @@ class PointwiseComparison {
           values_.push_back(value);
         }
       } catch (const closures::NotAlgebraic&) {
-        continue;  // it has no value there
+        continue;  // a side has no value there
       }
     }
     if (std::ranges::all_of(tested_, &TestedPoint::holds)) {

@@ -10,10 +10,10 @@ namespace assur::generator::audit {
 
 namespace {
 
-/// The largest matrix that is inverted: the formulas of the inverse grow with the factorial.
+/// The largest matrix that is inverted: the inverse's formulas grow with the factorial.
 constexpr std::size_t most_inverted = 3;
 
-/// What is printed instead, and its note.
+/// The matrix that was printed instead, and the note on it.
 struct Mistake {
   GiNaC::matrix matrix;
   const char* note;
@@ -33,7 +33,7 @@ std::vector<Mistake> mistakes(const GiNaC::matrix& efforts) {
   return list;
 }
 
-/// Adds a note to the wrong entries of a transposed matrix if all that is printed is the map of
+/// Adds a note to the wrong entries of a transposed matrix if the printed one is the map of
 /// velocities itself, its inverse, or the transposed inverse.
 void explain_map_of_efforts(closures::ClosurePoints& points, const PrintedMatrix& matrix,
                             std::vector<Finding>& findings) {

@@ -1,4 +1,4 @@
-// Turns printed closures, matrices and equations into findings against a closure system.
+// Audits printed closures, matrices and equations against a closure system.
 #pragma once
 
 #include <functional>
@@ -8,52 +8,52 @@
 
 namespace assur::generator::audit {
 
-/// How many equations one printed equation may stand for, by its indices.
+/// The largest number of equations that one printed equation with indices may stand for.
 constexpr std::size_t most_cases = 20'000;
-/// How many letters, or tokens, all these equations may have.
+/// The largest number of characters, or tokens, of all these equations.
 constexpr std::size_t most_letters_of_cases = 10'000'000;
-/// How many entries a matrix may have.
+/// The largest number of entries of a matrix.
 constexpr std::size_t most_entries = 20'000;
 
-/// One entry of a printed matrix: empty text stands for zero.
+/// One entry of a printed matrix; empty text means zero.
 struct PrintedEntry {
   closures::PlacedText text;
-  std::function<GiNaC::ex()> value{};  ///< of a text that is no formula; may throw FormulaError
+  std::function<GiNaC::ex()> value{};  ///< for a text that is not a formula; may throw FormulaError
 };
 
-/// A printed matrix: rows are closures, or quantities that depend on them; columns are symbols.
-/// The map of efforts is the transpose of that of velocities: its entry (i, j) is the derivative of
-/// the quantity j by the symbol i.
+/// A printed matrix: rows are closures or quantities that depend on them; columns are symbols. The
+/// map of efforts is the transpose of that of velocities: its entry (i, j) is the derivative of
+/// quantity j by symbol i.
 struct PrintedMatrix {
   std::vector<std::string> rows;  ///< names, or formulas such as `rate(x)`
   std::vector<std::string> columns;
   std::vector<PrintedEntry> entries;  ///< row by row, as they are printed
   bool is_transposed = false;
 
-  /// The numbers of rows and columns that are printed.
+  /// The printed numbers of rows and columns.
   [[nodiscard]] std::size_t height() const { return (is_transposed ? columns : rows).size(); }
   [[nodiscard]] std::size_t width() const { return (is_transposed ? rows : columns).size(); }
 };
 
-/// What an entry of a matrix should be, and how a report names it.
+/// The derived value of an entry of a matrix, and its name in reports.
 struct DerivedEntry {
   std::string item;
   GiNaC::ex value;
 };
-/// Throws FormulaError where a row is a formula that cannot be read.
+/// Throws FormulaError if a row is a formula that cannot be read.
 [[nodiscard]] DerivedEntry derived_entry(closures::ClosureSystem& system,
                                          const PrintedMatrix& matrix, std::size_t place);
 
 /// The rows in a list: names of anything in the system, or formulas, which have brackets. Throws
-/// FormulaError for a formula that cannot be read; `named` checks what has no brackets.
+/// FormulaError for a formula that cannot be read; `named` checks entries without brackets.
 [[nodiscard]] std::vector<std::string> rows_in(
     const closures::PlacedText& list, closures::ClosureSystem& system,
     const std::function<std::vector<std::string>(const closures::PlacedText&)>& named);
-/// Throws FormulaError where a row follows the closures and a column is an unknown.
+/// Throws FormulaError if a row depends on the closures and a column is an unknown.
 void expect_parameters(const PrintedMatrix& matrix, const closures::ClosureSystem& system,
                        closures::Place place);
 
-/// What a source prints, as reports show it, and its place.
+/// A printed text as reports show it, and its place.
 struct Printed {
   std::string text;
   closures::Place place;
@@ -64,18 +64,18 @@ struct Printed {
                                  const closures::FormulaError& error);
 
 /// Compares the printed closure with the derived one of that name. An equation may be printed with
-/// all its signs reversed; `is_turned` tells whether it is.
+/// all its signs reversed; then `is_turned`.
 [[nodiscard]] Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
                                     const closures::PlacedText& printed);
 [[nodiscard]] Finding audit_closure(closures::ClosurePoints& points, const std::string& name,
                                     const GiNaC::ex& read, const Printed& printed);
 [[nodiscard]] bool is_turned(const Finding& closure);
 
-/// Compares each entry with the derivative of its row by its column: the partial one if the row is
-/// a closure, else the total one.
+/// Compares each entry with the derivative of its row with respect to its column: the partial
+/// derivative if the row is a closure, else the total one.
 [[nodiscard]] std::vector<Finding> audit_matrix(closures::ClosurePoints& points,
                                                 const PrintedMatrix& matrix);
-/// Compares one entry of a matrix; row and column count from 0. `read` makes its expression.
+/// Compares one entry of a matrix; row and column count from 0. `read` returns its expression.
 [[nodiscard]] Finding audit_entry(closures::ClosurePoints& points, const PrintedMatrix& frame,
                                   std::size_t row, std::size_t column, const Printed& printed,
                                   const std::function<GiNaC::ex()>& read);

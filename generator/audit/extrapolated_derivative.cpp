@@ -10,18 +10,18 @@ namespace assur::generator::audit {
 namespace {
 
 constexpr double safety = 10;
-/// Entries of the tableau are sums of differences whose weights add up to less than this.
+/// Sum of the magnitudes of the differences' weights in an entry of the tableau.
 constexpr double most_weight = 2;
 
 struct Difference {
   double value;
-  double error;  ///< caused by the errors of the samples
+  double error;  ///< from the errors of the samples
 };
 
 /// The entry of the tableau with the smallest bound.
 BoundedValue extrapolated(const std::vector<Difference>& differences) {
   BoundedValue best{0, std::numeric_limits<double>::infinity()};
-  std::vector<double> last;  // the row before
+  std::vector<double> last;  // the previous row
   for (const Difference& difference : differences) {
     if (!std::isfinite(difference.value)) {
       if (!last.empty()) {

@@ -1,4 +1,4 @@
-// Values of a function on both sides of a point: its derivatives there, and bounds on their errors.
+// Derivatives of a function from its values on both sides of a point, with error bounds.
 #pragma once
 
 #include <vector>
@@ -16,11 +16,11 @@ struct SymmetricSamples {
 
 struct BoundedValue {
   double value = 0;
-  double bound = 0;  ///< on its error; infinite where it cannot be told
+  double bound = 0;  ///< on its error; infinite if there is none
 };
 
-/// Central differences, extrapolated to the step zero (Romberg). The bound is ten times the change
-/// by the last steps of the extrapolation, and what the errors of the values cause. Steps at which
+/// Central differences, extrapolated to step zero (Romberg). The bound is ten times the change in
+/// the last steps of the extrapolation, plus the effect of the errors of the values. Steps at which
 /// the function has no value are left out if they are the largest.
 [[nodiscard]] BoundedValue first_derivative(const SymmetricSamples& samples);
 [[nodiscard]] BoundedValue second_derivative(const SymmetricSamples& samples);

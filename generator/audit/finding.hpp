@@ -1,4 +1,4 @@
-// What a source prints, item by item, and the verdict on each: the findings of an audit.
+// The findings of an audit: the printed items of a source and the verdict on each.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace assur::generator::audit {
 
-/// One printed entry, equation, kind or number, and what the derivation says of it.
+/// One printed entry, equation, kind or number, and its comparison with the derivation.
 struct Finding {
   std::string item;  ///< `(4,3) d f4/d a3`
   closures::Place place;
   Comparison comparison;
   std::string printed;
   std::string derived;
-  std::string note;    ///< what explains a difference, if anything does
-  std::string line{};  ///< the line of the file at the place, for people
+  std::string note;    ///< an explanation of the difference, if there is one
+  std::string line{};  ///< the line of the file at the place, for display
 
   [[nodiscard]] bool agrees() const { return comparison.verdict == Verdict::agrees; }
   [[nodiscard]] bool is_wrong() const {
@@ -32,8 +32,8 @@ struct AuditedStatement {
   closures::Place place;
   std::size_t columns = 0;  ///< of a matrix; zero for anything else
   std::vector<Finding> findings;
-  std::string file;      ///< in which the findings' places are; empty for the audit file itself
-  std::string remark{};  ///< how a program was run, and that this is no proof
+  std::string file;      ///< the file of the findings' places; empty for the audit file itself
+  std::string remark{};  ///< how a program was run, and the reminder that this is not a proof
 };
 
 struct AuditReport {
@@ -44,7 +44,7 @@ struct AuditReport {
   [[nodiscard]] bool agrees() const;
 };
 
-/// Fills the findings' lines; `text` is that of the report's own file.
+/// Fills in the findings' lines; `text` is that of the report's own file.
 void quote_lines(AuditReport& report, const std::string& text);
 
 }  // namespace assur::generator::audit

@@ -12,7 +12,7 @@ namespace assur::generator::audit {
 
 namespace {
 
-constexpr double rounding = 1e-9;  // relative, of numbers that are computed in double
+constexpr double rounding = 1e-9;  // relative, of numbers computed in double
 
 std::string shown(double value) {
   std::ostringstream text;
@@ -139,7 +139,7 @@ Finding NumericExample::audit(const std::string& name, const closures::PlacedTex
   return finding;
 }
 
-/// Tells which printed numbers yield the printed result, or which one would have to be different.
+/// Names the printed numbers that yield the printed result, or the one that would have to differ.
 std::string NumericExample::explanation(const text::Expression& formula,
                                         const Value& result) const {
   std::vector<const text::Expression*> used;
@@ -184,7 +184,7 @@ std::string NumericExample::explanation(const text::Expression& formula,
          needed_inputs(formula, result.printed, inputs);
 }
 
-/// The value of each input that alone would make the result right.
+/// For each input, the value that would yield the printed result.
 std::string NumericExample::needed_inputs(const text::Expression& formula, double result,
                                           const std::vector<std::string>& inputs) const {
   std::string text;

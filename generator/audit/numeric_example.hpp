@@ -1,4 +1,4 @@
-// Turns the printed numbers of a worked example into findings against values derived anew.
+// Audits the printed numbers of a worked example against derived values.
 #pragma once
 
 #include <assur/text/expression.hpp>
@@ -9,11 +9,11 @@
 namespace assur::generator::audit {
 
 /// A chain of numbers: inputs, and printed results with one formula each. A formula is evaluated
-/// with the derived values of the names in it, which is right, and with the printed ones, which
-/// shows where a difference comes from.
+/// with the derived values of its names, which gives the right result, and with the printed ones,
+/// which shows the source of a difference.
 class NumericExample {
  public:
-  /// A value that is not printed but derived from a scene or a group.
+  /// A value derived from a scene or a group.
   void define(const std::string& name, double value);
   /// A value derived by a formula in derived values. Throws FormulaError.
   void define(const std::string& name, const closures::PlacedText& formula);
@@ -29,7 +29,7 @@ class NumericExample {
   struct Value {
     double derived;
     double printed;
-    double half_unit = 0;  ///< half a unit of the last printed digit; zero for what is exact
+    double half_unit = 0;  ///< half a unit of the last printed digit; zero for exact numbers
     bool is_printed = false;
   };
   enum class Reading : unsigned char { derived, printed };

@@ -17,15 +17,15 @@ using closures::AuditSymbol;
 using closures::FormulaError;
 using closures::PlacedText;
 
-/// The largest step, as a part of what is large for the quantity, and how often it is halved.
+/// The largest step as a part of the quantity's scale, and the number of halvings.
 constexpr double first_step = 0.5;
 constexpr std::size_t step_count = 8;
-/// A step so small that its square is nothing beside 1.
+/// A step whose square vanishes beside 1.
 constexpr double complex_step = 0x1p-80;
-/// By how many units in its last place a position may be off.
+/// The assumed error of a position, in units in its last place.
 constexpr double position_units = 64;
 
-/// What is large for a quantity: itself, or one radian.
+/// The scale of a quantity: itself, or one radian.
 double scale_of(const AuditSymbol& symbol, const Asked& asked) {
   const double size = std::abs(asked.values.at(symbol.symbol).value);
   return symbol.angle || size == 0 ? 1 : size;
@@ -121,10 +121,10 @@ OwnDerivatives read_own_derivatives(const PlacedText& columns, const PlacedText&
   return own;
 }
 
-/// A way through a point: a parameter alone changes, or all that move do as the time does.
+/// A path through a point: one parameter changes, or all moving quantities change with time.
 struct OwnPosition::Path {
   const AuditSymbol* by;
-  double unit;  ///< of the parameter or the time: a change by it is large
+  double unit;  ///< scale of the parameter or the time
 
   [[nodiscard]] double change(const GivenQuantity& quantity, const Asked& asked,
                               double distance) const {
@@ -140,8 +140,8 @@ struct OwnPosition::Path {
            : quantity.order == 1 ? distance * second
                                  : 0;
   }
-  /// The imaginary part of the quantity after an imaginary step. It is so small that its square is
-  /// nothing, and so is the change of the real part.
+  /// The imaginary part of the quantity after an imaginary step, whose square, and so the change of
+  /// the real part, vanishes.
   [[nodiscard]] double imaginary_change(const GivenQuantity& quantity, const Asked& asked) const {
     if (by == nullptr && quantity.of->moving && quantity.order < 2) {
       const GiNaC::symbol& rate =
@@ -194,7 +194,7 @@ class OwnPosition::Samples {
     }
     return samples;
   }
-  /// The first derivative by a complex step; not finite where the program has none.
+  /// The first derivative by a complex step; not finite where the program has no value.
   [[nodiscard]] double by_complex_step(const OwnDerivative& wanted, std::size_t point) const {
     const std::size_t row = first_row(wanted, point) + 2 * step_count;
     const bool known = complex_ && row < values_.points.size() &&
@@ -207,7 +207,7 @@ class OwnPosition::Samples {
   [[nodiscard]] std::string failure(const OwnDerivative& wanted, std::size_t point) const {
     const std::size_t row = first_row(point);
     return row < values_.points.size() ? values_.points[row].faults[wanted.component]
-                                       : "it did not come to this point";
+                                       : "it stopped before this point";
   }
   [[nodiscard]] bool is_single() const { return values_.single_precision; }
 
@@ -244,7 +244,7 @@ class OwnPosition::Samples {
     }
   }
 
-  /// The time in which the fastest quantity changes by what is large for it.
+  /// The time in which the fastest quantity changes by its scale.
   [[nodiscard]] double time_unit(const Asked& asked) const {
     double fastest = 0;
     for (const GivenQuantity& quantity : given_) {

@@ -1,15 +1,15 @@
-// The derivatives of the positions that a program gives, which are computed by running it.
+// Derivatives of the positions that a program computes, by running it near each point.
 #pragma once
 
 #include "audit/run_reference.hpp"
 
 namespace assur::generator::audit {
 
-/// What an entry should be: a derivative of one component of the position.
+/// The expected value of an entry: a derivative of one component of the position.
 struct OwnDerivative {
   std::size_t component;
   const closures::AuditSymbol* by;  ///< a parameter; null: the time
-  int order;                        ///< 2: the second derivative by the time
+  int order;                        ///< 2: the second time derivative
 };
 
 /// The derivatives of a statement `of ... against own position`.
@@ -20,18 +20,18 @@ struct OwnDerivatives {
 };
 
 /// Reads `of NAMES by PARAMETERS`, also transposed, or `of rate(NAME), rate2(NAME), D(NAME,
-/// PARAMETER), ...`. The names are those of the components of the position, in the order in which
-/// they occur first. Throws FormulaError.
+/// PARAMETER), ...`. The names are those of the position's components, in the order of their first
+/// occurrence. Throws FormulaError.
 [[nodiscard]] OwnDerivatives read_own_derivatives(const closures::PlacedText& columns,
                                                   const closures::PlacedText& rows,
                                                   bool is_transposed,
                                                   const closures::ClosureSystem& system);
 
-/// Complex steps, where the position of the program takes complex numbers and they confirm the
-/// differences; else extrapolated differences on both sides of each point.
+/// Complex steps, if the position of the program takes complex numbers and the differences confirm
+/// them; else extrapolated differences on both sides of each point.
 class OwnPosition : public RunReference {
  public:
-  /// Throws FormulaError where nothing moves, or the program is given unknowns.
+  /// Throws FormulaError if nothing moves, or the program takes unknowns.
   OwnPosition(const closures::ClosureSystem& system, const OwnDerivatives& wanted,
               const RunStatement& run, const running::RunLimits& limits);
 
@@ -60,8 +60,8 @@ class OwnPosition : public RunReference {
   const RunStatement& run_;
   const running::RunLimits& limits_;
   ExpectedMatrix drawn_;
-  std::size_t by_steps_ = 0;        ///< how many values complex steps gave
-  std::size_t by_differences_ = 0;  ///< how many values only differences gave
+  std::size_t by_steps_ = 0;        ///< number of values by complex steps
+  std::size_t by_differences_ = 0;  ///< number of values by differences only
   double largest_bound_ = 0;
   std::string failure_;  ///< why the position has no value at a point, if so
 };

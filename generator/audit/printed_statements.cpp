@@ -1,4 +1,4 @@
-// The `printed` statements of an audit file, one after the other, with their findings.
+// Reads the `printed` statements of an audit file and finds their verdicts.
 #include <assur/text/counts.hpp>
 #include <assur/text/input_file.hpp>
 #include <set>
@@ -12,8 +12,8 @@ namespace assur::generator::audit {
 
 namespace {
 
-/// The parts of a text before and after a word; where there is none, the second is empty and stands
-/// behind the text.
+/// The parts of a text before and after a word; if the word is absent, the second is empty and lies
+/// at the end of the text.
 std::pair<closures::PlacedText, closures::PlacedText> cut_at_word(const closures::PlacedText& text,
                                                                   const std::string& word) {
   const std::string padded = text.text + " ";
@@ -190,7 +190,7 @@ ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
     if (!closures::take_keyword(formulas, "of")) {
       reader_.fail(frame.place, "expected 'of ROWS by COLUMNS' or 'of FORMULA, FORMULA, ...'");
     }
-    // Where the closures hold, the value of a closure is zero, so it is compared elsewhere.
+    // A closure is zero where the closures hold, so it is compared elsewhere.
     expected.on_closures = !reader_.system().closures().empty();
     for (const closures::PlacedText& formula : closures::split(formulas, ',')) {
       expected.items.push_back(formula.text);
@@ -212,8 +212,7 @@ ExpectedMatrix Auditor::expected_matrix(const closures::PlacedText& frame) {
   return expected;
 }
 
-/// `[transpose] of NAMES by PARAMETERS`, or `of rate(NAME), ...`, where the names are those of a
-/// position.
+/// `[transpose] of NAMES by PARAMETERS`, or `of rate(NAME), ...`, with the names of a position.
 OwnDerivatives Auditor::own_derivatives(const closures::PlacedText& frame) const {
   auto [rows, columns] = cut_at_word(frame, "by");
   const bool is_transposed = !columns.empty() && closures::take_keyword(rows, "transpose");
@@ -311,7 +310,7 @@ void Auditor::read_printed_kinds(const closures::Statement& statement,
     reader_.fail(rest.place, "expected 'printed kinds LABEL of GROUP'");
   }
   const structure::Group& group = group_by_name(rest);
-  if (statement.rows.empty()) {  // without a comparison nothing agrees
+  if (statement.rows.empty()) {  // there is nothing to compare
     reader_.fail(statement.head.place, "expected rows 'NUMBER : KIND, KIND, ... [: FAMILY]'");
   }
   answer("kinds " + label.text, label.place, 0, audit_kinds(group, statement.rows, reader_.file()));

@@ -99,7 +99,7 @@ class Evaluator {
 double condition(const closures::ClosurePoints::Point& point) {
   const GiNaC::matrix& inverse = point.inverse_jacobian;
   if (inverse.is_zero_matrix()) {
-    return 1;  // nothing is solved there
+    return 1;  // no unknown is solved for
   }
   const GiNaC::matrix jacobian = closures::inverse_of(inverse);
   double largest = 1;
@@ -149,7 +149,7 @@ SymbolValues symbol_values(closures::ClosurePoints& points,
       const double angle = std::atan2(values.at(direction.y).value, values.at(direction.x).value);
       values[symbol.symbol] = rounded(angle, 0);
     }
-    if (symbol.unknown) {  // computed from all lengths, also where it vanishes
+    if (symbol.unknown) {  // computed from all lengths, also if zero
       solved(symbol.symbol, symbol.angle ? 1 : longest);
     }
   }

@@ -1,12 +1,12 @@
-// Turns an expression and a point into its value in double and a bound on the rounding error.
+// The value of an expression at a point in double, with a bound on its rounding error.
 #pragma once
 
 #include "closures/closure_points.hpp"
 
 namespace assur::generator::audit {
 
-/// The value, and a bound on the error of its evaluation in double from inputs that have themselves
-/// been rounded.
+/// A value, and a bound on the error of its evaluation in double from inputs that are rounded
+/// themselves.
 struct RoundedValue {
   double value = 0;
   double error = 0;  ///< absolute, in units of 2^-53
@@ -15,7 +15,7 @@ struct RoundedValue {
 /// Values by symbol; angles in radians.
 using SymbolValues = std::map<GiNaC::ex, RoundedValue, GiNaC::ex_is_less>;
 
-/// The values that a program is given at a point, and those of the total derivatives and rates that
+/// The values that a program receives at a point, and those of the total derivatives and rates that
 /// have been solved for there.
 [[nodiscard]] SymbolValues symbol_values(closures::ClosurePoints& points,
                                          const closures::ClosurePoints::Point& point);

@@ -23,8 +23,8 @@ std::string decimal_text(double value) {
   return text.str();
 }
 
-/// Points, and what a program gives and should give there; one that crashes gives values at the
-/// first of them alone.
+/// Points, the values that a program returns and those that it should return; after a crash there
+/// are none.
 struct Comparisons {
   std::vector<Asked> asked;
   std::vector<running::PointValues> given;
@@ -63,7 +63,7 @@ class ProgramAudit {
   }
 
  private:
-  /// At how many points and under which conditions the program was run, and that this is no proof.
+  /// The number of points, the conditions of the run, and the reminder that this is not a proof.
   [[nodiscard]] std::string remark() const {
     std::string text = "computed at " + drawing_.sort_of(drawn_.asked);
     for (const closures::PlacedText& condition : run_.where) {
@@ -76,8 +76,8 @@ class ProgramAudit {
     return text + reference_.remark() + ": evidence, not proof";
   }
 
-  /// Runs the program at the points, once more at the first of them, and at the simple ones, at
-  /// which it may fail: they come last.
+  /// Runs the program at the points, once more at the first of them, and last at the simple ones,
+  /// where it may fail.
   void compute() {
     running::PointTable table;
     const std::vector<GivenQuantity> given = given_quantities(points_.system(), drawing_);
@@ -126,13 +126,13 @@ class ProgramAudit {
     return points_.point_text(point, told, drawing_.assembled());
   }
 
-  /// Without whole turns, if the entry is an angle.
+  /// A difference without whole turns, if the entry is an angle.
   [[nodiscard]] double without_turns(std::size_t entry, double difference) const {
     return reference_.is_angle(entry) ? std::remainder(difference, 2 * std::numbers::pi)
                                       : difference;
   }
 
-  /// Whether two numbers are the entry's value up to rounding.
+  /// Whether two numbers agree as the entry's value up to rounding.
   [[nodiscard]] bool alike(std::size_t entry, double computed, double value,
                            double tolerance) const {
     const double of_large_angles =
@@ -140,7 +140,7 @@ class ProgramAudit {
     return std::abs(without_turns(entry, computed - value)) <= tolerance + of_large_angles;
   }
 
-  /// Whether the entry is wrong at a point, and how: it fails there, or it differs.
+  /// The fault of the entry at a point: the program fails there, or the value differs.
   [[nodiscard]] std::optional<Verdict> fault(std::size_t entry, const Comparisons& compared,
                                              std::size_t at) const {
     const ExpectedValue& expected = compared.expected[at][entry];
@@ -156,7 +156,7 @@ class ProgramAudit {
     return differs ? std::optional(Verdict::differs) : std::nullopt;
   }
 
-  /// Makes a point at which the entry is wrong in this way its counterexample if it is simpler.
+  /// Makes a point with this fault the entry's counterexample if it is simpler than the last one.
   void show(std::size_t entry, const Comparisons& compared, std::size_t at, Verdict fault,
             Finding& finding) const {
     const std::string point = point_text(compared.asked[at].point, entry);
@@ -233,7 +233,7 @@ class ProgramAudit {
     return finding;
   }
 
-  /// Where the program fails, and what it does elsewhere.
+  /// Text about the points where the program fails, and its values elsewhere.
   [[nodiscard]] std::string failing_text(std::size_t failing, std::size_t differing,
                                          std::size_t told) const {
     const std::string all = std::to_string(drawn_.asked.size());
@@ -250,7 +250,7 @@ class ProgramAudit {
                : "it fails at " + std::to_string(failing) + " of " + all + " points" + others;
   }
 
-  /// Shows the simplest point at which the entry is wrong as its verdict says.
+  /// Shows the simplest point at which the entry has the fault of its verdict.
   void show_all(std::size_t entry, const Comparisons& compared, Finding& finding) const {
     const Verdict kind =
         finding.comparison.verdict == Verdict::fails ? Verdict::fails : Verdict::differs;
@@ -314,7 +314,7 @@ class ProgramAudit {
   bool single_ = false;  ///< whether the program computes in single precision
   Comparisons drawn_;
   Comparisons simple_;
-  running::PointValues repeated_;  ///< what it gives at the first point, at the end
+  running::PointValues repeated_;  ///< its values at the first point, computed again at the end
 };
 
 }  // namespace

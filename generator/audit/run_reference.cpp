@@ -28,7 +28,7 @@ DerivedReference::DerivedReference(closures::ClosurePoints& points, const Expect
     const GiNaC::ex cosine = GiNaC::cos(derived);
     angles_.push_back(points.obstacle(derived) && !points.obstacle(cosine));
     if (angles_.back()) {
-      derived = cosine;  // which is algebraic, and angles themselves are not
+      derived = cosine;  // the cosine is algebraic; the angle itself is not
     }
   }
 }

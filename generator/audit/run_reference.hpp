@@ -1,4 +1,4 @@
-// What the result of a program is compared with at points, entry by entry, and within which bound.
+// Reference values and error bounds for the results of a program, entry by entry.
 #pragma once
 
 #include "audit/asked_points.hpp"
@@ -8,20 +8,20 @@ namespace assur::generator::audit {
 /// The arithmetic of a program.
 struct Precision {
   double unit;          ///< half a unit in the last place of 1
-  double other_orders;  ///< by which another order of operations may exceed a bound on rounding
-  double blurred;       ///< a larger relative error by rounding makes a point useless
+  double other_orders;  ///< allowance for another order of operations
+  double blurred;       ///< a point with a larger relative rounding error is useless
 };
 inline constexpr Precision in_double{0x1p-53, 4096, 1e-6};
 inline constexpr Precision in_single{0x1p-24, 64, 1e-2};
 
 struct ExpectedValue {
   double value = 0;
-  std::optional<double> tolerance;  ///< nothing where the value cannot be told closely enough
+  std::optional<double> tolerance;  ///< empty if the value is not known closely enough
   std::string obstacle{};           ///< why the entry has no value at any point, if so
-  bool exists = true;               ///< whether there is a value at the point at all
+  bool exists = true;               ///< whether the entry has a value at the point
 };
 
-/// A quantity that a program is given: a symbol, or its rate of the first or second order.
+/// A quantity that a program receives: a symbol, or its first or second rate.
 struct GivenQuantity {
   std::string name;
   const closures::AuditSymbol* of;
@@ -38,12 +38,12 @@ class RunReference {
   RunReference& operator=(const RunReference&) = delete;
   virtual ~RunReference() = default;
 
-  /// What the points have to provide values for.
+  /// The matrix for whose entries the points must have values.
   [[nodiscard]] virtual const ExpectedMatrix& drawn() const = 0;
-  /// The expressions of the entries, without abbreviations, in symbols that have values at points
-  /// once `at` was called for them.
+  /// The expressions of the entries, without abbreviations, in symbols that have values at the
+  /// points once `at` has been called.
   [[nodiscard]] virtual const std::vector<GiNaC::ex>& expressions() const = 0;
-  /// The same as a report shows them.
+  /// An entry as shown in a report.
   [[nodiscard]] virtual std::string text(std::size_t entry) const = 0;
   /// Whether an entry is an angle, so that whole turns do not count.
   [[nodiscard]] virtual bool is_angle(std::size_t entry) const = 0;
@@ -51,15 +51,15 @@ class RunReference {
   [[nodiscard]] virtual std::vector<std::vector<ExpectedValue>> at(std::vector<Asked>& list,
                                                                    AskedPoints& drawing,
                                                                    const Precision& precision) = 0;
-  /// How the values were found, for a report; empty if by the derivation.
+  /// The origin of the values, for a report; empty for the derivation.
   [[nodiscard]] virtual std::string remark() const { return ""; }
-  /// Why an entry has no value that can be compared at nearly all points.
+  /// The reason why an entry has no comparable value at nearly all points.
   [[nodiscard]] virtual std::string why_untold() const = 0;
-  /// By how much of its error bound a guess at a slip may be off.
+  /// The part of its error bound by which a guess at a slip may be off.
   [[nodiscard]] virtual double slack(const Precision& precision) const = 0;
 };
 
-/// What is derived from the closures.
+/// The values derived from the closures.
 class DerivedReference : public RunReference {
  public:
   DerivedReference(closures::ClosurePoints& points, const ExpectedMatrix& expected,
@@ -82,7 +82,7 @@ class DerivedReference : public RunReference {
                                        const Precision& precision) const;
 
   const ExpectedMatrix& expected_;
-  double rounding_;  ///< a relative error that is allowed in addition
+  double rounding_;  ///< relative error allowed in addition
   ExpectedMatrix drawn_;
   std::vector<GiNaC::ex> expressions_;
   std::vector<bool> angles_;

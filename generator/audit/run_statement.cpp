@@ -55,7 +55,7 @@ Language language_of(const std::filesystem::path& file, const PlacedText& at) {
       {".mjs", Language::javascript}, {".cjs", Language::javascript}};
   const auto found = endings.find(file.extension().string());
   if (found == endings.end()) {
-    throw FormulaError("its language cannot be told; say it: 'language c++'", at.place);
+    throw FormulaError("its language is not known; add a row such as 'language c++'", at.place);
   }
   return found->second;
 }
@@ -108,7 +108,7 @@ RunStatement read_run_statement(const std::filesystem::path& directory, const Pl
                          key.place);
     }
     if (rest.empty()) {
-      throw FormulaError("something has to follow '" + key.text + "'", key.place);
+      throw FormulaError("a value is missing after '" + key.text + "'", key.place);
     }
     reader->second(rest);
   }
@@ -120,7 +120,7 @@ RunStatement read_run_statement(const std::filesystem::path& directory, const Pl
         file.place);
   }
   if (run.result.empty()) {
-    throw FormulaError("say what is called: 'result FUNCTION(QUANTITY, ...)'", file.place);
+    throw FormulaError("a row is missing: 'result FUNCTION(QUANTITY, ...)'", file.place);
   }
   program.result = run.result.text;
   program.directory = directory.empty() ? std::filesystem::path(".") : directory;

@@ -28,7 +28,7 @@ class Guesser {
                                               &Guesser::factors,   &Guesser::constant_factor,
                                               &Guesser::stale,     &Guesser::single_precision};
     if (holds(derived_)) {
-      return single_precision();  // too small a difference to tell slips apart
+      return single_precision();  // too small a difference to distinguish slips
     }
     for (const Group group : groups) {
       if (std::string text = (this->*group)(); !text.empty()) {
@@ -39,8 +39,7 @@ class Guesser {
   }
 
  private:
-  /// Whether two numbers are the same, as far as the guess is known; `period` is what does not
-  /// count, if not zero.
+  /// Whether two numbers agree within the error of the guess, modulo `period` if not zero.
   [[nodiscard]] bool alike(double computed, const RoundedValue& guess, double period) const {
     const double off = computed - guess.value;
     return std::abs(period > 0 ? std::remainder(off, period) : off) <=
@@ -61,7 +60,7 @@ class Guesser {
         }
       }
     } catch (const std::exception&) {
-      return false;  // it has no value somewhere
+      return false;  // no value at some point
     }
     return true;
   }
@@ -92,7 +91,7 @@ class Guesser {
     return "";
   }
 
-  /// What a product may have too many or too few of.
+  /// The factors that a product may have too many or too few of.
   [[nodiscard]] std::vector<GiNaC::ex> factor_list() const {
     std::vector<GiNaC::ex> list;
     for (const closures::AuditSymbol& symbol : system_.symbols()) {
@@ -127,7 +126,7 @@ class Guesser {
     return "";
   }
 
-  /// A number that is the same at all points, taken where the entry is largest.
+  /// A number that is the same at all points, computed where the entry is largest.
   [[nodiscard]] std::string constant_factor() const {
     double largest = 0;
     double factor = 0;
@@ -157,7 +156,7 @@ class Guesser {
     return "it is " + text.str() + " times what it should be, at all points";
   }
 
-  /// The derived value; infinitely uncertain where there is none.
+  /// The derived value; with infinite error where there is none.
   [[nodiscard]] RoundedValue value_at(std::size_t at) const {
     try {
       return rounded_value(derived_, matrix_.points[at]);
@@ -166,7 +165,7 @@ class Guesser {
     }
   }
 
-  /// Errors of the size that single precision has, and larger ones than double precision has.
+  /// Names single precision if the errors have its size, above that of double; else empty.
   [[nodiscard]] std::string single_precision() const {
     constexpr double unit = 0x1p-24;
     constexpr double in_double = 1e-10;
@@ -197,7 +196,7 @@ class Guesser {
            "(float)?";
   }
 
-  /// Whether each affected entry is what should stand at another place, which `other` gives.
+  /// Whether each affected entry has the expected value of another place, given by `other`.
   [[nodiscard]] bool all_hold(const std::vector<std::size_t>& affected,
                               const std::function<std::size_t(std::size_t)>& other) const {
     return std::ranges::all_of(

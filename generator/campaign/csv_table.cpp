@@ -16,12 +16,12 @@ namespace {
 
 using mechanism::Column;
 
-/// No cell is wider: numbers take 24 letters at most.
+/// No cell is wider: numbers take at most 24 characters.
 constexpr std::size_t widest_cell = 32;
 static_assert(std::ranges::all_of(mechanism::outcome_words,
                                   [](std::string_view word) { return word.size() < widest_cell; }));
 
-/// Writes a cell to a place with room for the widest one, and returns its end.
+/// Writes a cell into a buffer with room for the widest one, and returns its end.
 char* put_cell(Column::Kind kind, double number, char* at) {
   switch (kind) {
     case Column::Kind::whole:
@@ -90,8 +90,8 @@ class CsvReader : public TableReader {
   }
 
  private:
-  /// Reads the next line. Refuses a last line without a line end, which is incomplete, and bytes
-  /// that would end messages.
+  /// Reads the next line. Throws for a last line without a line end, which is incomplete, and for
+  /// bytes that would end messages.
   bool next_line() {
     if (!std::getline(in_, line_)) {
       return false;
@@ -152,7 +152,7 @@ class CsvReader : public TableReader {
   std::string name_;
   std::ifstream in_;
   std::string line_;
-  std::size_t number_ = 0, head_ = 0;  ///< of the line, and of the line of names
+  std::size_t number_ = 0, head_ = 0;  ///< numbers of the current line and of the line of names
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Turns rows of numbers into lines of CSV below comments that describe them, and back.
+// Rows of numbers as lines of CSV below comments that describe them: writer and reader.
 #pragma once
 
 #include <cstdio>
@@ -9,14 +9,14 @@
 
 namespace assur::generator::campaign {
 
-/// The names of the columns as a line without its end, and the names in such a line.
+/// The names of the columns as a line without its end.
 [[nodiscard]] std::string csv_head(const std::vector<mechanism::Column>& columns);
 [[nodiscard]] std::vector<std::string> names_in_csv_head(const std::string& line);
-/// Gives columns the names in a line, and returns false if it is not the line of these columns.
+/// Gives columns the names in a line; returns false if the line does not fit these columns.
 [[nodiscard]] bool take_names(const std::string& line, std::vector<mechanism::Column>& columns);
 
-/// Lines of rows. Numbers have the fewest digits that tell them from all others; a number that
-/// does not exist is an empty cell.
+/// The rows as lines. Numbers have the fewest digits that identify them; a missing number is an
+/// empty cell.
 [[nodiscard]] std::string csv_lines(const std::vector<mechanism::Column>& columns,
                                     const std::vector<double>& rows);
 

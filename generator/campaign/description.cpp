@@ -85,7 +85,7 @@ std::vector<double> Description::numbers_of(const std::string& name) const {
   std::istringstream words(text_of(name));
   for (std::string word; words >> word;) {
     double number = std::numeric_limits<double>::quiet_NaN();
-    (void)std::from_chars(word.data(), word.data() + word.size(), number);  // `-` is no number
+    (void)std::from_chars(word.data(), word.data() + word.size(), number);  // `-` is not a number
     numbers.push_back(number);
   }
   return numbers;
@@ -151,7 +151,7 @@ std::string difference(const Description& one, const Description& other) {
     const auto& first = place < one.entries.size() ? one.entries[place] : none;
     const auto& second = place < other.entries.size() ? other.entries[place] : none;
     if (first.first != second.first) {
-      // The difference is the entry that one of them lacks, and not the entries that it shifts.
+      // The difference is the entry that one of them lacks, not the entries that it shifts.
       const std::string& name =
           first.first.empty() || one.text_of(second.first).empty() ? second.first : first.first;
       return differs(name, one.text_of(name), other.text_of(name));
@@ -174,7 +174,7 @@ std::string number_text(double number) {
   }
   std::array<char, 32> text{};
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), number + 0.0);
-  (void)error;  // 24 characters are enough
+  (void)error;  // 24 characters suffice
   return {text.data(), end};
 }
 

@@ -1,4 +1,4 @@
-// The description of a campaign's table: named texts that can be compared, and axes among them.
+// The description of a campaign's table: named texts that can be compared, and its axes.
 #pragma once
 
 #include <assur/mechanism/campaign_columns.hpp>
@@ -9,7 +9,7 @@
 
 namespace assur::generator::campaign {
 
-/// One part of a campaign's items, from 1.
+/// One of equal parts of a campaign's items, numbered from 1.
 struct Shard {
   std::uint64_t number = 1, count = 1;
 
@@ -21,44 +21,44 @@ struct Shard {
 /// Reads `i/n`, with 1 <= i <= n <= 1e6; throws InputError with the option's name.
 [[nodiscard]] Shard shard_of(const std::string& text, const std::string& option);
 
-/// Describes a campaign's table by a hash of the scene's text, the options that its rows depend on,
-/// and what a summary needs beside the rows. Files are parts of one table if their descriptions are
-/// equal except for the shard.
+/// Describes a campaign's table by a hash of the scene's text, the options on which its rows
+/// depend, and what a summary needs besides the rows. Files are parts of one table if their
+/// descriptions are equal except for the shard.
 struct Description {
-  std::vector<std::pair<std::string, std::string>> entries;  ///< no text holds an end of line
+  std::vector<std::pair<std::string, std::string>> entries;  ///< no text contains a line end
   std::vector<mechanism::Column> columns;
   std::uint64_t items = 0;
   Shard shard;
 
   void add(const std::string& name, const std::string& text);
   void add(const std::string& name, const std::vector<double>& numbers);
-  /// The text of a name; empty where there is none.
+  /// The text of a name; empty if there is none.
   [[nodiscard]] std::string text_of(const std::string& name) const;
   /// The numbers of a name; NaN for `-`.
   [[nodiscard]] std::vector<double> numbers_of(const std::string& name) const;
-  /// Whether the first columns hold these kinds of numbers, and all others real ones.
+  /// Whether the first columns have these kinds, and all others real numbers.
   [[nodiscard]] bool has_kinds(std::vector<mechanism::Column::Kind> first) const;
   /// The texts of a name that may occur several times.
   [[nodiscard]] std::vector<std::string> texts_of(const std::string& name) const;
 
-  /// The description as named texts, and the description that such texts give. `where` is the file,
-  /// for messages; throws InputError, also for texts that are not as `written` gives them.
+  /// The description as named texts, and the description with given texts. `where` is the file, for
+  /// messages; throws InputError, also for texts that `written` would not produce.
   [[nodiscard]] std::vector<std::pair<std::string, std::string>> written() const;
   [[nodiscard]] static Description read(
       const std::vector<std::pair<std::string, std::string>>& written, const std::string& where);
 };
 
 /// The first difference between two descriptions, except for their shards: `seed: 2 instead of 1`;
-/// empty if they are of one table.
+/// empty if they describe one table.
 [[nodiscard]] std::string difference(const Description& one, const Description& other);
 
-/// A number with the fewest digits that tell it from all others; `-` if it is not finite.
+/// A number with the fewest digits that identify it; `-` if it is not finite.
 [[nodiscard]] std::string number_text(double number);
 
-/// FNV-1a with 64 bits, in hexadecimal digits.
+/// The 64-bit FNV-1a hash in hexadecimal digits.
 [[nodiscard]] std::string hash_of(const std::string& text);
 
-/// An axis of the grid, for people.
+/// An axis of the grid with its name.
 struct NamedAxis {
   std::string name;
   double from, to;
@@ -68,7 +68,7 @@ struct NamedAxis {
 /// The entry of an axis in a description.
 [[nodiscard]] std::string axis_text(const NamedAxis& axis);
 
-/// The axes of a map, in their order; a table of a sample has none.
+/// The axes of a map, in order; empty for the table of a sample.
 [[nodiscard]] std::vector<NamedAxis> axes_of(const Description& description);
 
 }  // namespace assur::generator::campaign

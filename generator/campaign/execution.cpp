@@ -13,7 +13,7 @@ bool is_computed(const Execution& execution) {
   std::error_code error;
   if (!std::filesystem::exists(execution.outputs.table, error)) {
     expect_new(execution.outputs.table,
-               execution.may_replace);  // it may be a link that leads nowhere
+               execution.may_replace);  // it may be a dangling link
     return false;
   }
   std::string why;
@@ -26,7 +26,7 @@ bool is_computed(const Execution& execution) {
     if (why.empty()) {
       return true;
     }
-  } catch (const text::InputError&) {  // it is no table
+  } catch (const text::InputError&) {  // it is not a table
   }
   if (!execution.may_replace) {
     throw text::InputError(execution.outputs.table.string() + ": the file exists" +

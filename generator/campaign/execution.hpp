@@ -1,4 +1,4 @@
-// Turns a campaign into its table on the disk, or takes it from there where it has been computed.
+// Computes a campaign and writes its table, or reads the table if it exists.
 #pragma once
 
 #include <assur/mechanism/campaign.hpp>
@@ -20,13 +20,13 @@ struct Execution {
   std::function<void(std::uint64_t)> progress;  ///< items done so far
 };
 
-/// Whether a table with the same description exists; it is complete, since tables are written whole
-/// or not at all. Throws InputError where something else has its name and may not be replaced.
+/// Whether a table with the same description exists; tables are never written in part, so it is
+/// complete. Throws InputError if another file has its name and may not be replaced.
 [[nodiscard]] bool is_computed(const Execution& execution);
 
-/// Hands over the rows of a shard in order, and writes the table and the picture. Where the table
-/// has been computed, its rows are taken from it. Throws InputError as `is_computed` does, and
-/// where a file cannot be written; no part of either is left then.
+/// Hands over the rows of a shard in order, and writes the table and the picture. If the table
+/// exists, its rows are read from it. Throws InputError as `is_computed` does, and if a file cannot
+/// be written; then no part of either is left.
 void execute(const Execution& execution,
              const std::function<void(const std::vector<double>&)>& use);
 

@@ -41,7 +41,7 @@ std::string ExpectedRows::fault(const double* row) {
   }
   const bool goes_on = configuration_ < configurations_;
   if (!goes_on && next_ == last_) {
-    return "the row stands behind the last one of the shard";
+    return "the row comes after the last one of the shard";
   }
   next_ += goes_on ? 0 : 1;
   const std::string fault = difference(0, row[0], static_cast<double>(next_ - 1));

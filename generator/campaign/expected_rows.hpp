@@ -1,4 +1,4 @@
-// The rows that must stand in a table with a description, one after the other.
+// The rows that a table must contain by its description, one after the other.
 #pragma once
 
 #include <cstdint>
@@ -9,16 +9,16 @@
 
 namespace assur::generator::campaign {
 
-/// The rows of a shard: one for each sample; for each cell of a map one for each configuration, or
-/// one alone.
+/// The rows of a shard: for a sample one per item; for a map one per configuration of a cell, or
+/// one for a cell without any.
 class ExpectedRows {
  public:
-  /// Of a description from which a summary can be made.
+  /// The description must allow a summary.
   explicit ExpectedRows(const Description& description);
 
-  /// What is wrong with the next row; empty if it is the one that must follow.
+  /// The error of the next row; empty if it is the one that must follow.
   [[nodiscard]] std::string fault(const double* row);
-  /// What is missing behind the last row; empty if nothing is.
+  /// The rows missing after the last one; empty if there are none.
   [[nodiscard]] std::string lack() const;
 
  private:
@@ -27,8 +27,8 @@ class ExpectedRows {
 
   const Description& description_;
   std::vector<NamedAxis> axes_;
-  std::uint64_t next_, last_;  ///< the next item without a row, and the one behind all
-  double configurations_ = 0, families_ = 0;  ///< of the last cell
+  std::uint64_t next_, last_;                 ///< the next item without a row, and the end
+  double configurations_ = 0, families_ = 0;  ///< for the last cell
   double configuration_ = 0;                  ///< the last one of that cell
 };
 

@@ -1,4 +1,4 @@
-// Turns a grid of cells into a map with the curves where the number of configurations changes.
+// Draws a grid of cells with the curves on which the number of configurations changes.
 #include <algorithm>
 #include <array>
 #include <assur/text/error.hpp>

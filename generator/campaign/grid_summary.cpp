@@ -18,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Behind the parameters: configurations, families, configuration, outcome.
+/// The columns after the parameters: configurations, families, configuration, outcome.
 constexpr std::size_t columns_of_a_cell = 4;
 
 template <typename Is>

@@ -1,4 +1,4 @@
-// The number of configurations of each cell of a grid, and where it changes.
+// The number of configurations of each cell of a grid, and its changes between cells.
 #pragma once
 
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace assur::generator::campaign {
 
-/// What the rows of one cell say.
+/// The summary of one cell's rows.
 struct Cell {
   std::uint16_t configurations = 0;
-  bool near_singular = false;  ///< one of its configurations is
-  bool families = false;       ///< a group moves freely, or is inconsistent
+  bool near_singular = false;  ///< some configuration is near-singular
+  bool families = false;       ///< a group has a self-motion, or is inconsistent
   bool refused = false;
 };
 
 /// Whether two cells are known to have different numbers of configurations.
 [[nodiscard]] bool is_change(const Cell& one, const Cell& other);
 
-/// The least and the greatest value of an output's coordinate.
+/// The smallest and the largest value of an output's coordinate.
 struct CoordinateRange {
   std::string name;
   double least, greatest;
@@ -29,7 +29,7 @@ struct CoordinateRange {
 
 class GridSummary {
  public:
-  /// Throws InputError, with `where` in front, if the description is not that of a grid.
+  /// Throws InputError, prefixed by `where`, if the description is not that of a grid.
   GridSummary(Description description, const std::string& where);
   void add(const std::vector<double>& rows);
 
@@ -38,12 +38,12 @@ class GridSummary {
   /// The cells of this shard; the last axis runs fastest.
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
   [[nodiscard]] const std::vector<CoordinateRange>& ranges() const { return ranges_; }
-  /// For each number of configurations, how many cells have it. Refused cells are left out.
+  /// For each number of configurations, the number of cells that have it, without refused cells.
   [[nodiscard]] std::map<std::uint16_t, std::uint64_t> counts() const;
-  /// How many pairs of cells that are neighbours along an axis have different numbers of
+  /// The number of pairs of cells, neighbours along an axis, with different numbers of
   /// configurations: between them a configuration is singular, or leaves the limits of joints.
   [[nodiscard]] std::uint64_t changes() const;
-  /// The number of the first cell that is refused; the one behind the last cell if none is.
+  /// The number of the first refused cell; the number of cells if there is none.
   [[nodiscard]] std::uint64_t first_refused() const;
 
  private:
@@ -59,7 +59,7 @@ class GridSummary {
 /// Throws InputError for a grid that has more than two axes, or too many cells to be drawn.
 void expect_drawable(const Description& description, const std::string& where);
 /// The cells as SVG, coloured by their number of configurations, or by a colour for cells that are
-/// nearly singular, move freely or are refused. Lines stand where the number changes.
+/// near-singular, have a self-motion or are refused. Lines separate cells with different numbers.
 [[nodiscard]] std::string grid_picture(const GridSummary& summary);
 
 }  // namespace assur::generator::campaign

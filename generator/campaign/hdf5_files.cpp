@@ -1,4 +1,4 @@
-// Turns the name of an HDF5 file into a writer or a reader of the module that holds them.
+// Opens HDF5 files through the module that contains the HDF5 code.
 #include <assur/text/error.hpp>
 
 #include "campaign/hdf5_table.hpp"
@@ -8,7 +8,7 @@ namespace assur::generator::campaign {
 
 namespace {
 
-/// The module's function; throws InputError, with `where` in front, if there is no module.
+/// The module's function; throws InputError, prefixed by `where`, if there is no module.
 template <typename Function>
 Function* loaded(const char* name, const std::string& where) {
   void* const found = function_of_module("assur_hdf5", name);

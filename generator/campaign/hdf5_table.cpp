@@ -17,11 +17,11 @@ namespace {
 
 using mechanism::Column;
 
-/// The number of rows that are written at once, whatever blocks they come in, since the bytes of
-/// the file depend on the order of writing.
+/// The number of rows that are written at once, whatever the sizes of the blocks: the bytes of the
+/// file depend on the order of writing.
 constexpr hsize_t rows_at_once = 16384;
 
-/// An identifier of the library, which the destructor closes.
+/// An identifier of the HDF5 library, closed by the destructor.
 class Handle {
  public:
   Handle(hid_t id, herr_t (*closing)(hid_t)) : id_(id), closing_(closing) {}
@@ -31,9 +31,9 @@ class Handle {
   Handle& operator=(const Handle&) = delete;
   ~Handle() { (void)close(); }
 
-  operator hid_t() const { return id_; }  // NOLINT: it stands for the identifier
+  operator hid_t() const { return id_; }  // it stands for the identifier
   herr_t close() { return id_ >= 0 ? closing_(std::exchange(id_, -1)) : 0; }
-  /// Leaves it open for ever.
+  /// Leaves the identifier open.
   void abandon() { id_ = -1; }
 
  private:
@@ -41,14 +41,14 @@ class Handle {
   herr_t (*closing_)(hid_t);
 };
 
-/// Otherwise the library prints its errors, and at the end of the program tries again to write what
-/// it could not write, until it crashes.
+/// Otherwise the library prints its errors, and at program exit tries again to write what it could
+/// not write, until it crashes.
 void be_quiet() {
   (void)H5dont_atexit();
   (void)H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// Partial files are locked already, and the library's own lock would conflict with that.
+/// Partial files are locked already, and the library's own lock would conflict.
 Handle access() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
 #if H5_VERSION_GE(1, 10, 7)
@@ -69,7 +69,7 @@ Handle type_of(Column::Kind kind) {
   return type;
 }
 
-/// The names as in the line of names, but different and without slashes, which would make groups.
+/// The names of the columns, made unique and without slashes, which would create groups.
 std::vector<std::string> data_set_names(const std::vector<Column>& columns) {
   std::vector<std::string> names;
   std::set<std::string> taken;
@@ -132,7 +132,7 @@ class Hdf5Writer : public TableWriter {
   }
 
  private:
-  /// Abandons all after an error, since closing would try again to write what could not be written.
+  /// After an error abandons all identifiers, since closing them would try to write again.
   void expect(hid_t result) {
     if (result < 0) {
       const int reason = errno == 0 ? EIO : errno;
@@ -177,7 +177,7 @@ class Hdf5Writer : public TableWriter {
       const Handle space(H5Dget_space(sets_[column]), H5Sclose);
       (void)H5Sselect_hyperslab(space, H5S_SELECT_SET, &written_, nullptr, &count, nullptr);
       const Handle memory(H5Screate_simple(1, &count, nullptr), H5Sclose);
-      if (columns_[column].kind == Column::Kind::outcome) {  // the library cannot convert these
+      if (columns_[column].kind == Column::Kind::outcome) {  // the library cannot convert outcomes
         const std::vector<std::uint8_t> words(held_[column].begin(), held_[column].end());
         const Handle type = type_of(Column::Kind::outcome);
         expect(H5Dwrite(sets_[column], type, memory, space, H5P_DEFAULT, words.data()));
@@ -192,7 +192,7 @@ class Hdf5Writer : public TableWriter {
 
   PartialFile& partial_;
   std::vector<Column> columns_;
-  std::vector<std::vector<double>> held_;  ///< rows that are not written yet, by their columns
+  std::vector<std::vector<double>> held_;  ///< rows not yet written, by columns
   hsize_t written_ = 0;
   Handle file_;
   std::vector<Handle> sets_;

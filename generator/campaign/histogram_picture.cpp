@@ -1,4 +1,4 @@
-// Turns the statistics of a sample's outputs into histograms as SVG.
+// Draws histograms of a sample's outputs as SVG.
 #include <algorithm>
 #include <assur/text/counts.hpp>
 #include <assur/text/numbers.hpp>
@@ -17,7 +17,7 @@ constexpr double panel_height = 230;
 constexpr double margin = 40;
 constexpr double head = 34;
 constexpr std::size_t most_bars = 64;
-/// How far above the panel the names of lines stand.
+/// Height above the panel at which the names of lines are printed.
 constexpr double upper_row = 15;
 constexpr double lower_row = 3;
 constexpr double name_width = 66;
@@ -25,8 +25,8 @@ constexpr const char* worst_colour = "#d62728";
 constexpr const char* rss_colour = "#2ca02c";
 constexpr const char* normal_colour = "#08519c";
 
-/// One coordinate: the bars, the worst case and the deviation that first derivatives predict, and
-/// the density of the normal law of the sample's mean and deviation.
+/// One coordinate: the bars, the worst case and the deviation predicted by first derivatives, and
+/// the normal density with the sample's mean and deviation.
 class Panel {
  public:
   Panel(const SampledOutput& output, std::size_t axis, double left, double top)
@@ -107,7 +107,7 @@ class Panel {
            (bar.to - bar.from);
   }
 
-  /// The density at a distance from the mean that is given in standard deviations.
+  /// The normal density at a distance from the mean in standard deviations.
   [[nodiscard]] double normal_density(double deviations) const {
     return std::exp(-deviations * deviations / 2) / (deviation_ * std::sqrt(2 * std::numbers::pi));
   }
@@ -119,7 +119,7 @@ class Panel {
                                : "";
   }
 
-  /// What a line is, over its upper end.
+  /// The name of a line, above its upper end.
   [[nodiscard]] std::string name(double away, double row, const std::string& text,
                                  const std::string& colour) const {
     return std::isfinite(away) ? words(x_of(away), top_ - row, "middle", text, colour) : "";
@@ -137,7 +137,7 @@ class Panel {
       const double height = normal_density((away - mean) / deviation_);
       points += at(x_of(away)) + "," + at(y_of(height)) + " ";
     }
-    // The name stands at the right of the curve, or above it where that would leave the panel.
+    // The name is at the right of the curve, or above it where it would leave the panel.
     constexpr double beside = 1.3;
     constexpr double distance = 12;
     const double right = x_of(mean + beside * deviation_) + distance;
@@ -155,7 +155,7 @@ class Panel {
   double left_, top_, width_, height_;
   double from_ = 0, to_ = 0, highest_ = 0, deviation_ = 0;
   bool has_curve_ = false;
-  bool is_constant_ = false;  ///< apart from rounding
+  bool is_constant_ = false;  ///< except for rounding
 };
 
 }  // namespace

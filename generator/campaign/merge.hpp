@@ -1,4 +1,4 @@
-// Turns the tables of all shards of a campaign into the table of the whole campaign.
+// Merges the tables of all shards of a campaign into one.
 #pragma once
 
 #include <filesystem>
@@ -9,18 +9,18 @@
 
 namespace assur::generator::campaign {
 
-/// Tables of one campaign, in the order of their shards, whatever order they were named in.
+/// Tables of one campaign, sorted by shard.
 struct ShardFiles {
   Description description;  ///< of the whole
   std::vector<std::filesystem::path> files;
 };
 
-/// Throws InputError where a file is no table, two are not of one campaign or hold the same shard,
-/// or shards are missing; the message names them.
+/// Throws InputError if a file is not a table, two are not of one campaign or contain the same
+/// shard, or shards are missing; the message names them.
 [[nodiscard]] ShardFiles shard_files(const std::vector<std::filesystem::path>& files);
 
-/// Writes the rows of all of them to one table, and its picture, and hands them over. Throws
-/// InputError where a file does not hold what it should, and writes nothing then.
+/// Writes the rows of all tables to one, and its picture, and hands the rows over. Throws
+/// InputError if the rows of a file do not fit its description; then writes nothing.
 void merge(const ShardFiles& shards, const Outputs& outputs,
            const std::function<void(const std::vector<double>&)>& use);
 

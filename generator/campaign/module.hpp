@@ -1,12 +1,12 @@
-// Turns the name of a function into that function of a module, which is loaded when it is needed.
+// Functions of modules, which are loaded when they are needed.
 #pragma once
 
 #include <string>
 
 namespace assur::generator::campaign {
 
-/// The libraries for HDF5 and MPI take longer to load than most commands run: what needs them
-/// stands in a module, in the folder of the program or in `../lib/assur`. Null where there is none.
+/// The libraries for HDF5 and MPI take longer to load than most commands run, so the code that uses
+/// them is in a module, in the folder of the program or in `../lib/assur`. Null if there is none.
 [[nodiscard]] void* function_of_module(const std::string& module, const char* function);
 
 }  // namespace assur::generator::campaign

@@ -1,4 +1,4 @@
-// Turns rows into a table and a picture of them, of which both are written or none.
+// The table and the picture of a campaign, written both or neither.
 #pragma once
 
 #include <filesystem>
@@ -11,22 +11,22 @@
 
 namespace assur::generator::campaign {
 
-/// Where the rows go, if they are kept, and where their picture goes, if there is one.
+/// The table's file, if it is kept, and the picture's, if there is one.
 struct Outputs {
   std::filesystem::path table, picture;
-  std::function<std::string()> drawing;  ///< the picture, once all rows are there
+  std::function<std::string()> drawing;  ///< the picture, drawn after the last row
 };
 
-/// Files that take their names when both are whole.
+/// Files that are renamed when both are complete.
 class PendingOutputs {
  public:
-  /// Throws InputError where a file cannot be made.
+  /// Throws InputError if a file cannot be created.
   PendingOutputs(const Outputs& outputs, const Description& description);
 
   void add(const std::vector<double>& rows, const std::string& text);
-  /// Whether `add` needs the text that `csv_lines` makes of the rows.
+  /// Whether `add` needs the text that `csv_lines` produces from the rows.
   [[nodiscard]] bool wants_text() const { return writer_ && writer_->wants_text(); }
-  /// Throws InputError where a file cannot be written; both names are as they were then.
+  /// Throws InputError if a file cannot be written; then both names are as before.
   void finish();
 
  private:

@@ -16,7 +16,7 @@ namespace assur::generator::campaign {
 
 namespace {
 
-/// The name under which a file is written until it is whole.
+/// The name under which a file is written until it is complete.
 std::filesystem::path partial_name(std::filesystem::path file) {
   file += ".partial";
   return file;
@@ -27,8 +27,8 @@ std::filesystem::path partial_name(std::filesystem::path file) {
                          "; give another name");
 }
 
-/// Whether a path still names the open file: the process that held the lock before may have given
-/// the file its final name, or removed it.
+/// Whether a path still names the open file: the process that held the lock may have renamed or
+/// removed it.
 bool is_named(int descriptor, const std::filesystem::path& path) {
   struct stat opened {};
   struct stat named {};
@@ -128,11 +128,11 @@ void expect_writable(const std::filesystem::path& file) {
 void expect_other(const std::filesystem::path& file,
                   const std::vector<std::filesystem::path>& inputs) {
   for (const std::filesystem::path& input : inputs) {
-    std::error_code error;  // a file that does not exist is none of the inputs
+    std::error_code error;  // a file that does not exist is not an input
     if (std::filesystem::equivalent(file, input, error) ||
         std::filesystem::equivalent(partial_name(file), input, error)) {
-      throw text::InputError(file.string() + ": to write it would replace the file " +
-                             input.string() + " that is read; give another name");
+      throw text::InputError(file.string() + ": writing it would replace the input " +
+                             input.string() + "; give another name");
     }
   }
 }

@@ -36,16 +36,16 @@ Json json_number(double number) { return std::isfinite(number) ? Json(number) : 
 
 std::string axis_name(std::size_t coordinate) { return coordinate == 0 ? "x" : "y"; }
 
-/// A number of a coordinate that both reports contain: its name in each, and its value. A value
-/// that is not known, such as the deviation of a single sample, is NaN.
+/// A number of a coordinate in both reports: its name in each, and its value; NaN for an unknown
+/// one, such as the deviation of a single sample.
 struct Row {
   const char* text;
   const char* json;
   std::function<double(const SampledOutput&, Eigen::Index)> number;
-  bool of_points = false;  ///< whether forces do not have it, as it needs second derivatives
+  bool of_points = false;  ///< requires second derivatives, so forces do not have it
 };
 
-/// The number, or NaN if it is of fewer than `least` samples.
+/// The number, or NaN if there are fewer than `least` samples.
 double known(const SampledOutput& output, double number, std::uint64_t least = 1) {
   return output.statistics.count() >= least ? number : std::numeric_limits<double>::quiet_NaN();
 }

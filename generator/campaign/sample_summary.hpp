@@ -1,4 +1,4 @@
-// Turns the rows of a sample into statistics of each output, beside the predictions by derivatives.
+// Statistics of a sample's outputs, beside the predictions by derivatives.
 #pragma once
 
 #include <array>
@@ -11,10 +11,10 @@
 
 namespace assur::generator::campaign {
 
-/// What derivatives at the nominal values predict for one coordinate; NaN where it is not known.
+/// Predictions for one coordinate from derivatives at the nominal values; NaN if unknown.
 struct FirstOrder {
   double nominal, worst_case, rss;
-  double variance, mean_shift;  ///< of first and of second order
+  double variance, mean_shift;  ///< of first and second order
 };
 
 /// The two coordinates of an output, or the one number of a force.
@@ -33,13 +33,13 @@ struct SampledOutput {
 
 class SampleSummary {
  public:
-  /// Throws InputError, with `where` in front, if the description is not that of a sample.
+  /// Throws InputError, prefixed by `where`, if the description is not that of a sample.
   SampleSummary(Description description, const std::string& where);
   void add(const std::vector<double>& rows);
 
   [[nodiscard]] const Description& description() const { return description_; }
   [[nodiscard]] const std::vector<SampledOutput>& outputs() const { return outputs_; }
-  /// How many samples had an outcome.
+  /// The number of samples with an outcome.
   [[nodiscard]] std::uint64_t count_of(mechanism::Outcome outcome) const {
     return counts_[static_cast<std::size_t>(outcome)];
   }
@@ -58,7 +58,7 @@ class SampleSummary {
 /// Adds nominal values and predictions to a sample's description; see docs/guide/campaigns.md.
 void describe_nominal(const mechanism::Sampling& sampling, Description& description);
 
-/// The summary for people, and as JSON.
+/// The summary as text and as JSON.
 [[nodiscard]] std::string sample_text(const SampleSummary& summary);
 [[nodiscard]] std::string sample_json(const SampleSummary& summary);
 /// A histogram of each coordinate as SVG, with the predictions by derivatives.

@@ -12,10 +12,10 @@ namespace {
 
 __extension__ using Wide = unsigned __int128;
 
-/// No number here needs more room.
+/// No number needs more room.
 constexpr std::size_t room = 32;
-/// The range of decimal exponents in which fixed notation is the shorter one and every product
-/// below is exact.
+/// The range of decimal exponents in which fixed notation is shorter and every product below is
+/// exact.
 constexpr int least_exponent = -4;
 constexpr int most_exponent = 14;
 
@@ -27,9 +27,9 @@ constexpr auto powers_of_five = [] {
   return powers;
 }();
 
-/// digits x 10^(exponent - 16), of 17 digits with zeros at their end.
+/// digits x 10^(exponent - 16), with 17 digits, the last of which may be zeros.
 struct Decimal {
-  std::uint64_t digits = 0;  ///< zero where `shortest` does not find them
+  std::uint64_t digits = 0;  ///< zero if `shortest` does not find them
   int exponent = 0;
 };
 
@@ -57,8 +57,8 @@ std::uint64_t nearest(std::uint64_t whole, std::uint64_t part, int shift) {
 }
 
 /// The shortest decimal that is closer to m 2^e than to its neighbouring doubles, and of several
-/// the closest; m has 53 bits and is no power of two. All is exact: with 10^k times the number in
-/// [1e16, 1e17), the numbers closer to it form an interval of 1.1 to 22.3 whole numbers.
+/// the closest; m has 53 bits and is not a power of two. All operations are exact: with 10^k times
+/// the number in [1e16, 1e17), the numbers closer to it form an interval of length 1.1 to 22.3.
 Decimal shortest(std::uint64_t m, int e) {
   // The decimal exponent, or one less: log10(2) is 78913 / 2^18 to five digits.
   int exponent = ((e + 52) * 78913) >> 18;
@@ -74,13 +74,13 @@ Decimal shortest(std::uint64_t m, int e) {
     if (whole >= ten_to_the<17>) {
       continue;  // the exponent was one too small
     }
-    // At most 48 of the 101 bits stand behind the point: sums of parts and steps have 64.
+    // At most 48 of the 101 bits are fractional: sums of parts and steps fit 64 bits.
     const std::uint64_t mask = (std::uint64_t{1} << shift) - 1;
     const std::uint64_t part = static_cast<std::uint64_t>(value) & mask;
     const std::uint64_t above = part + half;
     const std::int64_t below = static_cast<std::int64_t>(part) - static_cast<std::int64_t>(half);
     if ((above & mask) == 0 || (static_cast<std::uint64_t>(below) & mask) == 0) {
-      return {};  // an end of the interval is whole: std::to_chars decides whether it counts
+      return {};  // an end of the interval is an integer: std::to_chars decides whether it counts
     }
     const std::uint64_t highest = whole + (above >> shift);
     const std::uint64_t lowest = whole + static_cast<std::uint64_t>(below >> shift) + 1;
@@ -95,7 +95,7 @@ Decimal shortest(std::uint64_t m, int e) {
   }
 }
 
-/// Writes a number with this number of digits, in pairs.
+/// Writes a number with this many digits, in pairs.
 template <int Digits>
 void put_digits(std::uint32_t number, char* at) {
   for (int place = Digits - 2; place >= 0; place -= 2) {
@@ -134,7 +134,7 @@ char* put_shortest(double number, char* at) {
   const char* const begin = digits.data();
   const auto* const before_point = begin + decimal.exponent + 1;
   if (end <= before_point || end - begin < 2) {
-    return std::to_chars(at, at + room, number).ptr;  // a whole number, or a single digit
+    return std::to_chars(at, at + room, number).ptr;  // an integer, or a single digit
   }
   if (number < 0) {
     *at++ = '-';

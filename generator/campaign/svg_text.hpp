@@ -1,4 +1,4 @@
-// Turns numbers and texts into parts of an SVG document.
+// Elements of an SVG document from numbers and texts.
 #pragma once
 
 #include <array>

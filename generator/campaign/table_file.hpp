@@ -1,4 +1,4 @@
-// Turns a campaign's rows into a file in the format that its extension says, and back.
+// Tables of a campaign as files, in the format given by the extension.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@
 
 namespace assur::generator::campaign {
 
-/// Takes rows in the order of their items. Every function throws InputError where the file cannot
-/// be written.
+/// Takes rows in the order of their items. Every function throws InputError if the file cannot be
+/// written.
 class TableWriter {
  public:
   TableWriter() = default;
@@ -21,14 +21,14 @@ class TableWriter {
   TableWriter& operator=(const TableWriter&) = delete;
   virtual ~TableWriter() = default;
 
-  /// `text` is what `csv_lines` makes of the rows; only a writer that wants it gets it.
+  /// `text`: the rows as printed by `csv_lines`, if `wants_text`.
   virtual void add(const std::vector<double>& rows, const std::string& text) = 0;
   [[nodiscard]] virtual bool wants_text() const = 0;
-  /// Brings all rows to the disk.
+  /// Writes all rows to the disk.
   virtual void finish() = 0;
 };
 
-/// Gives a file's rows back.
+/// Reads a file's rows.
 class TableReader {
  public:
   TableReader() = default;
@@ -37,26 +37,26 @@ class TableReader {
   virtual ~TableReader() = default;
 
   [[nodiscard]] const Description& description() const { return description_; }
-  /// Where a row stands, from 1, for messages.
+  /// The position of a row, counted from 1, for messages.
   [[nodiscard]] virtual std::string place_of(std::uint64_t row) const = 0;
-  /// Replaces `rows` by the next rows, and returns false if there are none. Throws InputError where
-  /// the file is not complete.
+  /// Replaces `rows` by the next rows, and returns false if there are none. Throws InputError if
+  /// the file is incomplete.
   [[nodiscard]] virtual bool next(std::vector<double>& rows) = 0;
 
  protected:
   Description description_;
 };
 
-/// Throws InputError for an ending that is neither `.csv` nor `.h5`, or where files of HDF5 cannot
-/// be written here; `option` is what messages call the file.
+/// Throws InputError for an extension other than `.csv` and `.h5`, or if HDF5 files cannot be
+/// written here; `option` names the file in messages.
 void expect_table_name(const std::filesystem::path& file, const std::string& option);
 
 [[nodiscard]] std::unique_ptr<TableWriter> table_writer(PartialFile& file,
                                                         const Description& description);
 [[nodiscard]] std::unique_ptr<TableReader> table_reader(const std::filesystem::path& file);
 
-/// Hands a file's rows over, and throws InputError where they are not those of its shard; the
-/// message names the first row that is not.
+/// Hands over a file's rows, and throws InputError if they are not those of its shard; the message
+/// names the first wrong row.
 void for_each_row_block(TableReader& reader, const std::string& file,
                         const std::function<void(const std::vector<double>&)>& use);
 

@@ -1,4 +1,4 @@
-// Turns an angle into a sum of whole multiples of angles that are not sums themselves.
+// An angle as a sum of integer multiples of angles that are not sums.
 #pragma once
 
 #include "closures/closure_system.hpp"
@@ -11,15 +11,15 @@ struct AngleTerm {
   int factor;
 };
 
-/// An angle as a sum: its terms by their texts, in the same order in every process, and quarter
-/// turns.
+/// An angle as a sum: its terms sorted by their texts, so that every process has the same order,
+/// and quarter turns.
 struct AngleTerms {
   std::map<std::string, AngleTerm> terms;
   int quarter_turns = 0;
 };
 
-/// The terms of an angle, with abbreviations of sums taken apart. Throws NotAlgebraic for numbers
-/// other than quarter turns and for multiples that are not whole.
+/// The terms of an angle, with abbreviations of sums expanded. Throws NotAlgebraic for numbers
+/// other than quarter turns and for multiples that are not integers.
 [[nodiscard]] AngleTerms angle_terms(const GiNaC::ex& angle, const ClosureSystem& system);
 
 }  // namespace assur::generator::closures

@@ -33,7 +33,7 @@ class IndependentColumns {
  public:
   [[nodiscard]] std::size_t count() const { return reduced_.size(); }
 
-  /// Adds a column, unless the others span it. Returns whether it was added.
+  /// Adds a column, unless it depends on the others. Returns whether it was added.
   bool add(Column column) {
     for (const auto& [pivot, earlier] : reduced_) {
       const GiNaC::ex factor = (column[pivot] / earlier[pivot]).normal();
@@ -64,7 +64,7 @@ AssemblyByLengths::AssemblyByLengths(std::vector<GiNaC::ex> equations, const GiN
   for (const GiNaC::ex& length : lengths) {
     lengths_.emplace_back(length, slopes(equations_, length));
   }
-  // Coordinates, whose columns are constant, come first: solving for them leaves roots rational.
+  // Coordinates, whose columns are constant, come first: solving for them keeps roots rational.
   std::stable_partition(lengths_.begin(), lengths_.end(),
                         [](const auto& each) { return is_constant(each.second); });
 }

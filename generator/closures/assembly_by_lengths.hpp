@@ -1,13 +1,12 @@
-// Turns a random rational point into one where the closures hold, by giving lengths other values.
+// Assembles the closures at a random rational point by changing lengths.
 #pragma once
 
 #include "closures/circle_algebra.hpp"
 
 namespace assur::generator::closures {
 
-/// Solves the equations for as many lengths as there are equations. It chooses lengths that occur
-/// linearly and independently, and among these first the ones with constant coefficients, such as
-/// coordinates.
+/// Solves the equations for as many lengths as there are equations. The lengths occur linearly and
+/// independently; those with constant coefficients, such as coordinates, are preferred.
 class AssemblyByLengths {
  public:
   AssemblyByLengths(std::vector<GiNaC::ex> equations, const GiNaC::lst& lengths);
@@ -17,7 +16,7 @@ class AssemblyByLengths {
   [[nodiscard]] bool assemble(const CircleAlgebra& algebra, GiNaC::exmap& values) const;
 
  private:
-  using Column = std::vector<GiNaC::ex>;  ///< the derivatives of the equations by one length
+  using Column = std::vector<GiNaC::ex>;  ///< derivatives of the equations with respect to a length
 
   std::vector<GiNaC::ex> equations_;
   std::vector<std::pair<GiNaC::ex, Column>> lengths_;  ///< those with constant columns first

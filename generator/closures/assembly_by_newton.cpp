@@ -14,13 +14,13 @@ namespace {
 
 constexpr int starts = 24;
 constexpr int most_steps = 60;
-/// Few of each draw, so that a number of points has many draws; which of them differs by the seed.
+/// Few of each draw, so that the points come from many draws; the seed selects them.
 constexpr std::size_t most_solutions = 4;
-/// The smallest pivot of J J^T, of the largest one, where equations count as independent.
+/// Equations count as independent if no pivot of J J^T is smaller than this part of the largest.
 constexpr double least_pivot = 1e-9;
-/// Solutions that are nearer to each other, of their size, are the same.
+/// Solutions closer than this, relative to their size, are the same.
 constexpr double same = 1e-6;
-/// What is smaller than this, of the size, is zero: by chance nothing comes so near.
+/// Numbers smaller than this, relative to the size, are zero: none comes so near by chance.
 constexpr int zero_digits = 80;
 
 double as_double(double value) { return value; }
@@ -34,8 +34,8 @@ GiNaC::numeric power_of(const GiNaC::numeric& base, int exponent) {
   return base.power(exponent);
 }
 
-/// Solves a symmetric system, row by row with its right side, in place. Returns whether its pivots
-/// are of similar sizes.
+/// Solves a symmetric system in place, row by row with its right-hand side. Returns whether its
+/// pivots are of similar size.
 template <typename Number>
 bool solve(std::vector<std::vector<Number>>& rows) {
   const std::size_t size = rows.size();
@@ -76,7 +76,7 @@ template <typename Number>
 struct AssemblyByNewton::Values {
   std::vector<Number> numbers;
   std::vector<Number> symbols;
-  std::vector<Number> sizes;  ///< of the variables: equations and steps are compared in their parts
+  std::vector<Number> sizes;  ///< of the variables; equations and steps are measured in these units
   std::vector<Number> steps;
 
   void compute(const std::vector<Step>& list) {
@@ -231,7 +231,7 @@ bool AssemblyByNewton::converges(Values<double>& values) const {
     if (!std::isfinite(length)) {
       return false;
     }
-    const double factor = std::min(1.0, whole / length);  // no wild leaps
+    const double factor = std::min(1.0, whole / length);  // limits the step
     for (std::size_t place = 0; place < step.size(); ++place) {
       values.symbols[place] += factor * step[place];
     }

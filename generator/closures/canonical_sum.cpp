@@ -93,7 +93,7 @@ GiNaC::numeric CanonicalSum::content() const {
     denominators = GiNaC::lcm(denominators, term.coefficient.denom());
   }
   const GiNaC::numeric size = GiNaC::abs(numerators / denominators);
-  // The order of the terms may change when their numbers become smaller.
+  // The order of the terms may change when their coefficients become smaller.
   return scaled(size.inverse()).is_reversed() ? -size : size;
 }
 
@@ -212,7 +212,7 @@ std::string CanonicalTerm::size_text() const {
 
 std::string CanonicalSum::text() const {
   std::string text;
-  for (const bool negative : {false, true}) {  // a sum begins with a plus where it can
+  for (const bool negative : {false, true}) {  // a sum begins with a plus if it can
     for (const CanonicalTerm& term : terms_) {
       if (term.coefficient.is_negative() == negative) {
         text += text.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");

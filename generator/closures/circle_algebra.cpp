@@ -10,7 +10,7 @@ namespace assur::generator::closures {
 
 namespace {
 
-/// Symbols are replaced without matching patterns, which would take much longer.
+/// Symbols are replaced without pattern matching, which would take much longer.
 constexpr unsigned unmatched = GiNaC::subs_options::no_pattern;
 
 /// The direction of the sum of two angles.
@@ -20,7 +20,7 @@ equations::Vector2 multiplied_out(const equations::Vector2& first,
           (first.x * second.y + first.y * second.x).expand()};
 }
 
-/// The direction of a multiple of pi whose cosine and sine are known as roots of numbers: that of a
+/// The direction of a multiple of pi whose cosine and sine are known as roots of numbers, a
 /// multiple of pi/12. Throws NotAlgebraic for others.
 equations::Vector2 direction_of_number(const GiNaC::ex& angle) {
   const equations::Vector2 direction{GiNaC::cos(angle), GiNaC::sin(angle)};
@@ -47,7 +47,7 @@ equations::Vector2 turned_by_multiple(const equations::Vector2& direction, equat
                              max_terms_of_direction)) {
     throw NotAlgebraic("an angle has too many terms when its cosine is multiplied out");
   }
-  // The multiple of one angle has few terms; those of the direction are multiplied by them once.
+  // The multiple of one angle has few terms, which meet those of the direction only once.
   equations::Vector2 multiple{1, 0};
   for (int count = std::abs(factor); count > 0; --count) {
     multiple = multiplied_out(multiple, step);
@@ -94,7 +94,7 @@ GiNaC::ex CircleAlgebra::algebraic(const GiNaC::ex& expression) {
   try {
     return known_[expression] = converted(expression);
   } catch (const NotAlgebraic&) {
-    // Of several errors the first is reported, in an order that does not depend on GiNaC.
+    // Of several errors the first is reported, in an order independent of GiNaC's.
     roots_.resize(known_roots);
     in_order_ = true;
     return converted(expression);
@@ -146,7 +146,7 @@ GiNaC::ex CircleAlgebra::converted(const GiNaC::ex& expression) {
 
 std::vector<GiNaC::ex> CircleAlgebra::operands(const GiNaC::ex& expression) const {
   std::vector<GiNaC::ex> list(expression.begin(), expression.end());
-  // GiNaC's order serves where at most one part makes roots, which get numbers, and nothing fails.
+  // GiNaC's order serves if at most one part makes roots, which are numbered, and nothing fails.
   const bool matters = in_order_ || std::count_if(list.begin(), list.end(), makes_roots) > 1;
   return matters ? ordered_operands(expression) : list;
 }
@@ -220,7 +220,7 @@ equations::Vector2 CircleAlgebra::direction_of_term(const GiNaC::ex& base) {
 
 GiNaC::ex CircleAlgebra::root_of(const GiNaC::ex& radicand) {
   if (!can_be_multiplied_out(radicand)) {
-    throw NotAlgebraic("what stands under a root has too many terms when it is multiplied out");
+    throw NotAlgebraic("a radicand has too many terms when it is multiplied out");
   }
   const GiNaC::ex normal = radicand.normal();
   if (GiNaC::is_a<GiNaC::numeric>(normal)) {
@@ -281,7 +281,7 @@ GiNaC::exmap CircleAlgebra::with_roots(const GiNaC::exmap& point, unsigned rever
     const GiNaC::ex radicand = root.radicand.subs(values, unmatched).expand();
     const GiNaC::ex number = radicand.evalf();
     if (!GiNaC::is_a<GiNaC::numeric>(number)) {
-      continue;  // it has symbols that the point leaves free
+      continue;  // it contains symbols that the point leaves free
     }
     if (GiNaC::ex_to<GiNaC::numeric>(number).is_negative()) {
       throw NotAlgebraic("the root of a negative number");

@@ -1,4 +1,4 @@
-// Turns expressions in sines, cosines and square roots into polynomials with side relations.
+// Polynomials with side relations in place of sines, cosines and square roots.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -12,20 +12,20 @@
 
 namespace assur::generator::closures {
 
-/// The largest whole multiple of an angle that is written as a polynomial in its cosine and sine.
+/// The largest integer multiple of an angle that is written as a polynomial in its cosine and sine.
 inline constexpr int max_multiple = 64;
 
-/// Thrown for an expression that has no form in c and s, c^2 + s^2 = 1, and r, r^2 = radicand.
+/// Thrown for an expression without a form in c and s, c^2 + s^2 = 1, and r, r^2 = radicand.
 class NotAlgebraic : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// Whether an expression has roots, or angles whose cosine or sine is a root.
+/// Whether an expression contains roots, or angles whose cosine or sine is a root.
 [[nodiscard]] bool makes_roots(const GiNaC::ex& expression);
 
-/// A direction turned by a whole multiple of an angle whose cosine and sine are `step`, multiplied
-/// out. Throws NotAlgebraic where that has too many terms.
+/// A direction rotated by an integer multiple of an angle with the cosine and sine `step`,
+/// multiplied out. Throws NotAlgebraic if that has too many terms.
 [[nodiscard]] equations::Vector2 turned_by_multiple(const equations::Vector2& direction,
                                                     equations::Vector2 step, int factor);
 
@@ -35,15 +35,15 @@ class CircleAlgebra {
  public:
   void add_angle(const GiNaC::symbol& angle);
 
-  /// The expression with c, s and r in place of sines, cosines and roots; a quotient of polynomials
-  /// where the expression is one. Throws NotAlgebraic.
+  /// The expression with c, s and r in place of sines, cosines and roots, possibly a quotient of
+  /// polynomials. Throws NotAlgebraic.
   [[nodiscard]] GiNaC::ex algebraic(const GiNaC::ex& expression);
-  /// Whether the algebraic form is zero modulo the relations. False does not prove the contrary
-  /// where roots depend on each other, or where there are too many terms to multiply out.
+  /// Whether the algebraic form is zero modulo the relations. False proves nothing if roots depend
+  /// on each other, or if there are too many terms to multiply out.
   [[nodiscard]] bool vanishes(const GiNaC::ex& algebraic) const;
   /// The algebraic form at a point that gives values to lengths, cosines and sines. Throws
   /// NotAlgebraic where a radicand is negative or a denominator vanishes. `reversed` has a bit for
-  /// each root, which is set where the negative root is meant.
+  /// each root, set for the negative root.
   [[nodiscard]] GiNaC::ex at(const GiNaC::ex& algebraic, const GiNaC::exmap& point,
                              unsigned reversed = 0) const;
 
@@ -55,21 +55,21 @@ class CircleAlgebra {
   /// An algebra with the same angles and roots, to which one expression may add its own roots.
   [[nodiscard]] CircleAlgebra extended() const;
   [[nodiscard]] std::size_t root_count() const { return roots_.size(); }
-  /// The symbols of the roots, and what stands under each: algebraic, in roots that come earlier.
+  /// The symbols of the roots with their radicands: algebraic, in earlier roots.
   [[nodiscard]] std::vector<std::pair<GiNaC::symbol, GiNaC::ex>> roots() const;
-  /// Whether a symbol occurs under a root.
+  /// Whether a symbol occurs in a radicand.
   [[nodiscard]] bool under_a_root(const GiNaC::symbol& symbol) const;
 
  private:
   [[nodiscard]] bool has_no_rest(const GiNaC::ex& algebraic) const;
   struct Root {
     GiNaC::symbol symbol{};
-    GiNaC::ex radicand{};  ///< algebraic, in roots that come earlier
+    GiNaC::ex radicand{};  ///< algebraic, in earlier roots
   };
 
   [[nodiscard]] GiNaC::ex converted(const GiNaC::ex& expression);
   [[nodiscard]] std::vector<GiNaC::ex> operands(const GiNaC::ex& expression) const;
-  /// The direction of an angle that was added; nullptr for all else.
+  /// The direction of an angle that was added; nullptr for anything else.
   [[nodiscard]] const equations::Vector2* find_direction(const GiNaC::ex& angle) const;
   [[nodiscard]] equations::Vector2 direction_of(const GiNaC::ex& angle);
   [[nodiscard]] equations::Vector2 direction_of_term(const GiNaC::ex& base);
@@ -78,8 +78,8 @@ class CircleAlgebra {
 
   std::map<std::string, equations::Vector2> directions_;  ///< by the names of the angles
   std::vector<Root> roots_;
-  bool in_order_ = false;  ///< all operands are visited in an order that is not GiNaC's
-  /// The algebraic forms of expressions, which are the same at every point.
+  bool in_order_ = false;  ///< operands are visited in canonical order, not in GiNaC's
+  /// The algebraic forms of expressions; they are the same at every point.
   std::map<GiNaC::ex, GiNaC::ex, GiNaC::ex_is_less> known_;
 };
 

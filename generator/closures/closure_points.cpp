@@ -22,7 +22,7 @@ class FewDigits {
   GiNaC::numeric length() { return {integer(5, 30), 10}; }
   GiNaC::numeric rate() {
     const int tenths = integer(-20, 20);
-    return {tenths == 0 ? 21 : tenths, 10};  // what holds only at rest must not hold by chance
+    return {tenths == 0 ? 21 : tenths, 10};  // statements about rest must not hold by chance
   }
   /// A rational point of the unit circle off the axes.
   std::pair<GiNaC::numeric, GiNaC::numeric> direction() {
@@ -40,12 +40,12 @@ class FewDigits {
   equations::SeededNumbers numbers_;
 };
 
-/// Whether a solved length is so small that all may close because of it.
+/// Whether a solved length is so small that the closures may hold because of it.
 bool vanishes_nearly(const GiNaC::ex& length) {
   return GiNaC::abs(GiNaC::ex_to<GiNaC::numeric>(length)) < GiNaC::numeric(1, 1000);
 }
 
-/// A length that none has yet: what holds only for equal lengths must not hold by chance.
+/// A length unlike all others: statements for equal lengths must not hold by chance.
 GiNaC::numeric another(GiNaC::numeric length, std::vector<GiNaC::numeric>& lengths) {
   while (std::ranges::find(lengths, length) != lengths.end()) {
     length += GiNaC::numeric(1, 10);
@@ -54,7 +54,7 @@ GiNaC::numeric another(GiNaC::numeric length, std::vector<GiNaC::numeric>& lengt
   return length;
 }
 
-/// A value for people: exact, or twelve digits of a decimal or of a long number.
+/// A value as text: exact, or twelve digits of a decimal or of a long number.
 std::string value_text(const GiNaC::ex& value) {
   if (value.info(GiNaC::info_flags::rational) || !GiNaC::is_a<GiNaC::numeric>(value)) {
     return formula_text(value);
@@ -85,12 +85,12 @@ void ClosurePoints::follow_system() {
   closures_are_algebraic_ = true;
   closures_are_rational_ = true;
   for (const ClosureSystem::Closure& closure : system_.closures()) {
-    try {  // numbers the roots of closures before those of expressions
+    try {  // the roots of closures get numbers before those of expressions
       const GiNaC::ex form = algebraic(closure.expression);
       closures_are_rational_ =
           closures_are_rational_ && !makes_roots(form) && algebra_.root_count() == 0;
     } catch (const NotAlgebraic&) {
-      closures_are_algebraic_ = false;  // reported where it is needed
+      closures_are_algebraic_ = false;  // reported when it is needed
     }
   }
 }
@@ -108,7 +108,7 @@ void ClosurePoints::solve_for(const GiNaC::ex& whole, Point& point) {
     if (const ClosureDerivative* const derivative = system_.derivative_of(symbol)) {
       solve(*derivative, point);
     } else if (const AuditSymbol* const moved = system_.moved_by(symbol)) {
-      // A rate of third order or higher: any number will do, a different one at each point.
+      // A rate of third or higher order may be any number, a different one at each point.
       point.values[symbol] = moved->steady ? GiNaC::numeric(0) : FewDigits(++rates_drawn_).rate();
     }
   }
@@ -120,7 +120,7 @@ GiNaC::ex ClosurePoints::value(const GiNaC::ex& expression, Point& point) {
   if (!makes_roots(whole)) {
     return value_of_form(algebra_, algebra_.algebraic(whole), point);
   }
-  // Roots of one expression must not make another undecided.
+  // Roots of one expression must not make another undecidable.
   CircleAlgebra own = algebra_.extended();
   const GiNaC::ex form = own.algebraic(whole);
   return value_of_form(own, form, point);
@@ -132,7 +132,7 @@ GiNaC::ex ClosurePoints::value_of_form(const CircleAlgebra& algebra, const GiNaC
   if (!point.is_computed || GiNaC::is_a<GiNaC::numeric>(value)) {
     return value;
   }
-  const equations::MoreDigits digits(solution_digits);  // of roots of numbers
+  const equations::MoreDigits digits(solution_digits);  // for roots of numbers
   return value.evalf();
 }
 
@@ -300,14 +300,14 @@ std::vector<ClosurePoints::Point> ClosurePoints::solved_points(unsigned seed) {
     newton_.emplace(newton());
   }
   GiNaC::exmap values = random_values(seed);
-  if (seed % 2 == 0) {  // lengths of the size of the numbers in the closures
+  if (seed % 2 == 0) {  // lengths of the magnitude of the numbers in the closures
     for (const AuditSymbol& symbol : system_.symbols()) {
       if (!symbol.angle) {
         values[symbol.symbol] *= newton_->size();
       }
     }
   }
-  unsigned quadrant = seed;  // all of them in turn
+  unsigned quadrant = seed;  // each quadrant in turn
   for (const AuditSymbol& symbol : system_.symbols()) {
     if (symbol.angle && !symbol.unknown) {
       const equations::Vector2& direction = algebra_.direction(symbol.symbol);
@@ -333,7 +333,7 @@ std::vector<ClosurePoints::Point> ClosurePoints::solved_points(unsigned seed) {
     try {
       invert_jacobian(point);
       points.push_back(std::move(point));
-    } catch (const std::runtime_error&) {  // it is singular
+    } catch (const std::runtime_error&) {  // the Jacobian is singular
       continue;
     }
   }
@@ -361,7 +361,7 @@ AssemblyByNewton ClosurePoints::newton() {
   for (const ClosureSystem::Closure& closure : system_.closures()) {
     equations.push_back(algebraic(closure.expression));
   }
-  // Where the unknowns are not as many as the closures, any symbol may be solved for.
+  // If the numbers of unknowns and closures differ, any symbol may be solved for.
   const bool square = system_.unknowns().size() == equations.size();
   std::vector<AssemblyByNewton::Variable> variables;
   for (const AuditSymbol& symbol : system_.symbols()) {

@@ -1,4 +1,4 @@
-// Turns the declaring statements of an audit file into a closure system.
+// Reads the declarations of an audit file into a closure system.
 #pragma once
 
 #include <set>
@@ -14,16 +14,16 @@ class ClosureReader {
  public:
   explicit ClosureReader(std::string file) : file_(std::move(file)) {}
 
-  /// Returns false if the statement is not one of these. `fail` refers to it in either case.
+  /// Returns false if the statement is of another kind. `fail` refers to it in either case.
   [[nodiscard]] bool read(const Statement& statement);
   [[nodiscard]] const std::string& file() const { return file_; }
   [[nodiscard]] const std::string& source() const { return source_; }
   [[nodiscard]] ClosureSystem& system() { return system_; }
   [[nodiscard]] const ClosureSystem& system() const { return system_; }
-  /// The words that its statements begin with.
+  /// The first words of its statements.
   [[nodiscard]] static std::vector<std::string> keywords();
 
-  /// Where a piece of the statement's joined text stands in the file.
+  /// The place in the file of a place in the statement's joined text.
   [[nodiscard]] Place place_in_file(Place joined) const { return place_in(statement_, joined); }
   /// Throws AuditSyntaxError; `joined` is a place in the statement's joined text.
   [[noreturn]] void fail(Place joined, const std::string& what) const;
@@ -33,7 +33,7 @@ class ClosureReader {
   void expect_new_in_formulas(const PlacedText& name) const;
   /// Reserves a name for something outside the system.
   void reserve(const std::string& name) { reserved_.insert(name); }
-  /// The names in a list, of symbols only or of anything in the system. Throws for other names.
+  /// The names in a list, of symbols only or of anything in the system. Throws for unknown names.
   [[nodiscard]] std::vector<std::string> known_names(const PlacedText& list, bool symbols_only);
 
  private:

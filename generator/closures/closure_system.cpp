@@ -316,7 +316,7 @@ GiNaC::ex ClosureSystem::rate(const GiNaC::ex& expression) {
 }
 
 GiNaC::ex ClosureSystem::expanded(const GiNaC::ex& expression) const {
-  // GiNaC looks at every entry of the map for each sum and product, so it gets those that occur.
+  // GiNaC checks every entry of the map at each sum and product, so only those needed are passed.
   GiNaC::exmap occurring;
   for (const GiNaC::ex& symbol : equations::symbols_of(expression)) {
     if (const auto found = whole_.find(symbol); found != whole_.end()) {

@@ -1,4 +1,4 @@
-// Declared symbols, closure equations, and derivatives of any order along their solutions.
+// Symbols, closure equations, and derivatives of any order along their solutions.
 #pragma once
 
 #include <deque>
@@ -13,7 +13,7 @@
 
 namespace assur::generator::closures {
 
-/// A symbol that an audit file declares, or that its model has.
+/// A symbol of an audit file or of its model.
 struct AuditSymbol {
   AuditSymbol(const std::string& name_in, bool angle_in, std::string meaning_in)
       : name(name_in),
@@ -25,7 +25,7 @@ struct AuditSymbol {
 
   std::string name;
   bool angle;
-  std::string meaning;   ///< what the file says of it, for people
+  std::string meaning;   ///< its description in the file
   bool unknown = false;  ///< determined by the closures
   bool moving = false;   ///< a parameter with rates of its own
   bool steady = false;   ///< its rate is constant
@@ -34,22 +34,22 @@ struct AuditSymbol {
   GiNaC::symbol second_rate;
 };
 
-/// A derivative of all unknowns q along the solutions of the closures, which has a symbol for each
-/// of them: D_a1 D_a2 ... d^k/dt^k of the unknowns, or of a partial derivative of an earlier
-/// derivative. Total derivatives by parameters and by time may be taken in any order, since rates
-/// of parameters do not depend on parameters, so that one order has the symbols.
+/// A derivative of all unknowns q along the solutions of the closures, with a symbol for each: D_a1
+/// D_a2 ... d^k/dt^k of the unknowns, or of a partial derivative of an earlier derivative. Total
+/// derivatives with respect to parameters and to time commute, since rates of parameters do not
+/// depend on parameters, so that symbols exist for one order only.
 struct ClosureDerivative {
-  const ClosureDerivative* of = nullptr;   ///< has the partial derivative; null: q itself
-  const AuditSymbol* partly_by = nullptr;  ///< what that is by
-  std::vector<const AuditSymbol*> by;      ///< parameters of D, in the order of their declaration
-  int times = 0;                           ///< how often by time, last
+  const ClosureDerivative* of = nullptr;   ///< its partial derivative is taken; null: q itself
+  const AuditSymbol* partly_by = nullptr;  ///< the variable of that partial derivative
+  std::vector<const AuditSymbol*> by;      ///< parameters of D, in order of declaration
+  int times = 0;                           ///< number of time derivatives, taken last
 };
 
-/// f(q, a) = 0 with unknowns q and parameters a, and expressions in them. Expressions hold sines
-/// and cosines as such, abbreviations as symbols of their own, and derivatives of unknowns as
-/// symbols whose values belong to a point (ClosurePoints). Each such derivative x solves equations
-/// J x + r = 0 with J = df/dq, which are the derivatives of f, or of those of the derivative that
-/// it is a derivative of: J dq/da = -df/da, J q' = -(df/da) a', and so on.
+/// f(q, a) = 0 with unknowns q and parameters a, and expressions in them. Expressions contain sines
+/// and cosines, abbreviations as symbols of their own, and derivatives of unknowns as symbols whose
+/// values belong to a point (ClosurePoints). Each such derivative x solves equations J x + r = 0
+/// with J = df/dq, which follow by differentiating f, or the equations of a lower derivative: J
+/// dq/da = -df/da, J q' = -(df/da) a', and so on.
 class ClosureSystem {
  public:
   struct Closure {
@@ -59,7 +59,7 @@ class ClosureSystem {
   };
 
   AuditSymbol& declare(const std::string& name, bool angle, const std::string& meaning = "");
-  /// Lets the name stand for the expression, in which earlier abbreviations may occur.
+  /// Defines an abbreviation; the expression may contain earlier ones.
   void abbreviate(const std::string& name, const GiNaC::ex& definition);
   void close(const std::string& name, const GiNaC::ex& expression);
   /// Reverses all signs of a closure.
@@ -68,48 +68,47 @@ class ClosureSystem {
   [[nodiscard]] AuditSymbol* symbol_named(const std::string& name);
   [[nodiscard]] const AuditSymbol* symbol_named(const std::string& name) const;
   [[nodiscard]] const GiNaC::ex* closure_named(const std::string& name) const;
-  /// The closure with its signs as they were typed.
+  /// The closure with its signs as typed.
   [[nodiscard]] GiNaC::ex closure_as_typed(const std::string& name) const;
   [[nodiscard]] bool is_known(const std::string& name) const;
-  /// What a name stands for in a formula, or nothing.
+  /// The meaning of a name in a formula; empty if there is none.
   [[nodiscard]] std::optional<GiNaC::ex> meaning_of(const std::string& name) const;
   [[nodiscard]] std::vector<std::string> names() const;
   [[nodiscard]] const std::vector<Closure>& closures() const { return closures_; }
   [[nodiscard]] const std::deque<AuditSymbol>& symbols() const { return symbols_; }
-  /// What an abbreviation stands for; nullptr for all else.
+  /// The definition of an abbreviation; nullptr for anything else.
   [[nodiscard]] const GiNaC::ex* definition_of(const GiNaC::ex& symbol) const;
   [[nodiscard]] const Extents& extents() const { return extents_; }
-  /// The number of parts of all abbreviations, each without abbreviations.
+  /// The number of parts of all abbreviations, with abbreviations expanded.
   [[nodiscard]] std::size_t part_count() const { return parts_; }
 
-  /// de/dx with all other symbols held, rates of parameters among them; abbreviations are
-  /// differentiated through, and so are derivatives, as functions of unknowns, parameters and
-  /// rates.
+  /// de/dx with all other symbols held, also rates of parameters; abbreviations are differentiated
+  /// through, and so are derivatives, as functions of unknowns, parameters and rates.
   [[nodiscard]] GiNaC::ex partial(const GiNaC::ex& expression, const AuditSymbol& by);
-  /// de/da where the unknowns follow the closures, with the rates of parameters held.
+  /// de/da along the solutions of the closures, with the rates of parameters held.
   [[nodiscard]] GiNaC::ex total(const GiNaC::ex& expression, const AuditSymbol& parameter);
-  /// de/da' by the rate of a parameter, or by its second rate, where the rates of the unknowns
-  /// follow the closures: dq'/da' is dq/da, dq''/da' is 2 d/dt(dq/da). Nothing where e has partial
+  /// de/da' or de/da'' for the first or second rate of a parameter, with the rates of the unknowns
+  /// from the closures: dq'/da' is dq/da, dq''/da' is 2 d/dt(dq/da). Empty if e contains partial
   /// derivatives of derivatives.
   [[nodiscard]] std::optional<GiNaC::ex> by_rate(const GiNaC::ex& expression,
                                                  const AuditSymbol& parameter, int order);
-  /// de/dt by the rates of unknowns and moving parameters.
+  /// de/dt from the rates of unknowns and moving parameters.
   [[nodiscard]] GiNaC::ex rate(const GiNaC::ex& expression);
-  /// de/dx with all symbols in the expression held, also those of derivatives.
+  /// de/dx with all other symbols in the expression held, also those of derivatives.
   [[nodiscard]] GiNaC::ex slope(const GiNaC::ex& expression, const GiNaC::symbol& symbol) const;
 
-  /// What a symbol is a derivative of; nullptr for other symbols.
+  /// The derivative that a symbol belongs to; nullptr for other symbols.
   [[nodiscard]] const ClosureDerivative* derivative_of(const GiNaC::ex& symbol) const;
   /// The symbols of a derivative, in the order of the unknowns.
   [[nodiscard]] std::vector<GiNaC::symbol> symbols_of(const ClosureDerivative& derivative);
-  /// J x + r, which vanish for the symbols x of a derivative, one for each closure.
+  /// J x + r, zero for the symbols x of a derivative, one for each closure.
   [[nodiscard]] std::vector<GiNaC::ex> equations_of(const ClosureDerivative& derivative);
-  /// Whether a symbol is a rate, of any order, of a parameter, and of which one; else nullptr.
+  /// The parameter of which a symbol is a rate of any order; nullptr for other symbols.
   [[nodiscard]] const AuditSymbol* moved_by(const GiNaC::ex& symbol) const;
 
-  /// Abbreviations replaced by what they stand for.
+  /// The expression with abbreviations replaced by their definitions.
   [[nodiscard]] GiNaC::ex expanded(const GiNaC::ex& expression) const;
-  /// Whether an expression holds total derivatives or rates, which have values only at points.
+  /// Whether an expression contains total derivatives or rates, which have values only at points.
   [[nodiscard]] bool follows_closures(const GiNaC::ex& expression) const;
 
   [[nodiscard]] std::vector<const AuditSymbol*> unknowns() const;
@@ -123,7 +122,7 @@ class ClosureSystem {
     const AuditSymbol* unknown;
     GiNaC::symbol symbol;
   };
-  /// A rate of a parameter, or one of its rates.
+  /// A rate of a parameter, or a higher one.
   struct Rate {
     const AuditSymbol* symbol;
     int order;
@@ -140,10 +139,10 @@ class ClosureSystem {
   [[nodiscard]] GiNaC::ex through_derivatives(const GiNaC::ex& expression, const Further& further);
 
   std::deque<AuditSymbol> symbols_;
-  std::vector<GiNaC::symbol> abbreviations_;  ///< in their order
+  std::vector<GiNaC::symbol> abbreviations_;  ///< in order of definition
   std::map<std::string, GiNaC::symbol> abbreviation_names_;
   GiNaC::exmap definitions_;  ///< of abbreviations, each in earlier ones only
-  GiNaC::exmap whole_;        ///< each abbreviation without abbreviations
+  GiNaC::exmap whole_;        ///< definitions with all abbreviations expanded
   Extents extents_;
   std::size_t parts_ = 0;
   std::vector<Closure> closures_;

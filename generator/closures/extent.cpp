@@ -7,14 +7,14 @@ namespace assur::generator::closures {
 
 namespace {
 
-/// The number of ways to take `some` of `all`, or `uncountable` where it is larger.
+/// The number of ways to choose `some` of `all`, or `uncountable` if it is larger.
 double choices(double all, double some) {
   constexpr double uncountable = 1e9;
   const double fewer = std::ceil(std::min(some, all - some));
   if (!std::isfinite(all) || !std::isfinite(fewer)) {
     return uncountable;
   }
-  // Each factor is at least 2, so that the bound is reached after few of them.
+  // Each factor is at least 2, so the bound is reached after few of them.
   double ways = 1;
   for (double taken = 1; taken <= fewer && ways < uncountable; ++taken) {
     ways *= (all - fewer + taken) / taken;
@@ -87,7 +87,7 @@ Extent ExtentMeter::of_power(const GiNaC::ex& power) {
   const double whole = std::ceil(exponent);
   Extent extent{exponent * base.degree, exponent * base.words,
                 choices(base.terms + whole - 1, whole), base.nesting};
-  if (exponent != whole) {  // a root, which may be of a number
+  if (exponent != whole) {  // a root, possibly of a number
     atoms_.insert(power);
     extent.degree = std::max(extent.degree, 1.0);
     ++extent.nesting;
@@ -107,7 +107,7 @@ std::size_t part_count(const GiNaC::ex& expression, std::size_t most) {
 bool can_be_multiplied_out(const GiNaC::ex& expression, double most) {
   ExtentMeter meter;
   const Extent extent = meter.of(expression);
-  // Terms that are alike become one: there are no more of them than products of the symbols.
+  // Like terms become one: there are at most as many as products of the symbols.
   const auto atoms = static_cast<double>(meter.atom_count());
   const double terms = std::min(extent.terms, choices(atoms + std::ceil(extent.degree), atoms));
   // Long numbers make terms longer.

@@ -1,4 +1,4 @@
-// Turns an expression into bounds on its size after it is multiplied out.
+// Bounds on the size of an expression after it is multiplied out.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -7,52 +7,51 @@
 
 namespace assur::generator::closures {
 
-/// The highest degree that is read, of numerator and denominator together: no mechanism needs a
-/// tenth of it, and a number of few digits to this power is computed quickly.
+/// The largest accepted degree, of numerator and denominator together: no mechanism needs a tenth
+/// of it, and a number of few digits to this power is computed quickly.
 inline constexpr int max_degree = 1000;
-/// How many parts an expression may have when its abbreviations are written out: comparing it takes
-/// seconds for as many.
+/// The largest number of parts of an expression with its abbreviations expanded; comparing it takes
+/// seconds.
 inline constexpr std::size_t max_parts = 500'000;
-/// How many parts all abbreviations may have, since they are held in memory.
+/// The largest number of parts of all abbreviations, which are kept in memory.
 inline constexpr std::size_t max_parts_in_all = 5'000'000;
-/// The largest length of a number that is read, in words of 64 binary digits.
+/// The largest accepted length of a number, in words of 64 bits.
 inline constexpr int max_words = 1024;
-/// More terms than this are not multiplied out, which would take minutes.
+/// The largest number of terms that are multiplied out; more would take minutes.
 inline constexpr double max_terms = 50000;
-/// The limit of terms for the cosine of a sum of angles, by which other terms are multiplied.
+/// The limit of terms for the cosine of a sum of angles, which multiplies other terms.
 inline constexpr double max_terms_of_direction = 5000;
 /// The limit of terms for values with roots of numbers, since one comparison may multiply out
 /// thousands of them.
 inline constexpr double max_terms_of_value = 2000;
-/// The limit of terms for what is emitted, since the time to derive its code grows with the square
-/// of their number.
+/// The limit of terms for emitted closures: the time to derive their code grows with its square.
 inline constexpr double max_terms_emitted = 5000;
-/// The limit of roots that stand within one another for what is emitted: each derivative of the
-/// outermost one contains those of all others.
+/// The limit of nested roots in emitted closures: each derivative of the outermost root contains
+/// those of all others.
 inline constexpr int max_nesting_emitted = 12;
 
 /// Whether an expression is itself a root, or an angle whose cosine or sine is a root.
 [[nodiscard]] bool is_root(const GiNaC::ex& expression);
 
-/// Upper bounds, as real numbers, since they may be larger than any integer type holds. A number of
+/// Upper bounds, as floating-point numbers, since they may exceed any integer type. A number of
 /// terms beyond all limits may be underestimated, but stays beyond them.
 struct Extent {
   double degree = 0;  ///< in symbols and functions, of numerator and denominator together
-  double words = 0;   ///< of 64 binary digits, in the longest number; shorter ones count nothing
+  double words = 0;   ///< words of 64 bits in the longest number; shorter ones count nothing
   double terms = 1;
-  int nesting = 0;  ///< of roots and inverse functions within one another
+  int nesting = 0;  ///< of roots and inverse functions
 };
 
 /// The extents of abbreviations, by their symbols.
 using Extents = std::map<GiNaC::ex, Extent, GiNaC::ex_is_less>;
 
-/// Measures expressions. An abbreviation counts as what it stands for.
+/// Measures expressions. An abbreviation counts as its definition.
 class ExtentMeter {
  public:
   explicit ExtentMeter(const Extents* abbreviations = nullptr) : abbreviations_(abbreviations) {}
 
   [[nodiscard]] Extent of(const GiNaC::ex& expression);
-  /// The number of different symbols, functions and roots in all that this meter has measured.
+  /// The number of different symbols, functions and roots that this meter has measured.
   [[nodiscard]] std::size_t atom_count() const { return atoms_.size(); }
 
  private:

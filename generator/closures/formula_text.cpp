@@ -10,7 +10,7 @@ namespace assur::generator::closures {
 std::string formula_text(const GiNaC::ex& expression) { return CanonicalSum(expression).text(); }
 
 std::vector<GiNaC::ex> ordered_operands(const GiNaC::ex& expression) {
-  // The sign of a factor that is a sum is GiNaC's choice, that of a term is not.
+  // GiNaC chooses the sign of a factor that is a sum, but not that of a term.
   const bool signs_count = !GiNaC::is_a<GiNaC::mul>(expression);
   std::vector<std::pair<std::string, GiNaC::ex>> texts;
   for (const GiNaC::ex& operand : expression) {

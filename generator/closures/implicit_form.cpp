@@ -14,10 +14,10 @@ namespace assur::generator::closures {
 
 namespace {
 
-/// The highest power, since powers of sums are multiplied out.
+/// The largest power, since powers of sums are multiplied out.
 constexpr int max_power = 64;
 
-/// What it means that the radicand of a function vanishes or is negative.
+/// The consequence when the radicand of a function vanishes or is negative.
 const std::string no_derivatives = " has no value or no derivatives";
 
 bool is_function(const GiNaC::ex& expression) { return GiNaC::is_a<GiNaC::function>(expression); }
@@ -26,7 +26,7 @@ std::string function_name(const GiNaC::ex& function) {
   return GiNaC::ex_to<GiNaC::function>(function).get_name();
 }
 
-/// Throws NotAlgebraic for what has too many terms.
+/// Throws NotAlgebraic if there are too many terms.
 GiNaC::ex multiplied_out(const GiNaC::ex& expression) {
   if (!can_be_multiplied_out(expression, max_terms_emitted)) {
     throw NotAlgebraic("it has too many terms when its powers and products are multiplied out");
@@ -98,9 +98,9 @@ class Translation {
     }
   }
 
-  /// A new identifier for a quantity; the one with `inverse_` in front is kept for its reciprocal.
+  /// A new identifier for a quantity; the one prefixed by `inverse_` stays free for its reciprocal.
   std::string fresh(const std::string& wanted) {
-    // Programs name their temporaries t1, t2, ... themselves.
+    // Programs name their temporaries t1, t2, ...
     const bool temporary = wanted.size() > 1 && wanted[0] == 't' &&
                            wanted.find_first_not_of("0123456789", 1) == std::string::npos;
     const std::string base = temporary ? wanted + "_" : wanted;
@@ -161,8 +161,8 @@ class Translation {
     }
     const GiNaC::ex* definition = system_.definition_of(symbol);
     if (definition == nullptr) {
-      throw NotAlgebraic("'" + text(symbol) + "' is a derivative, and what follows from the " +
-                         "closures cannot stand in them");
+      throw NotAlgebraic("'" + text(symbol) + "' is a derivative along the solutions of the " +
+                         "closures, and these cannot contain one");
     }
     auto [known, is_new] = numbers_.try_emplace(symbol);
     if (is_new) {
@@ -177,7 +177,7 @@ class Translation {
     return known->second;
   }
 
-  /// The one of two opposite sums that begins with a plus comes first.
+  /// Sorts first the one of two opposite sums that begins with a plus.
   static std::pair<bool, std::string> rank(const GiNaC::ex& sum) {
     const std::string shown = text(sum);
     return {shown.starts_with('-'), shown};

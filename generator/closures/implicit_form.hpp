@@ -1,4 +1,4 @@
-// Turns a closure system into the pipeline's equations: polynomials in named quantities.
+// The implicit equations of a closure system: polynomials in named quantities.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace assur::generator::closures {
 
-/// The closures as f(q, d, u) = 0: the unknowns q, the parameters that are held as dimensions d and
-/// those that move as inputs u. Sines and cosines become parts of directions; abbreviations, roots
-/// and divisors become named quantities, roots and divisors with the degeneracy that ends them.
-/// The emitted code uses the names of `types` itself everywhere, and `locals` in functions. Throws
-/// NotAlgebraic, with the closure's name, for what is not a polynomial in such quantities.
+/// The closures as f(q, d, u) = 0: unknowns q, dimensions d (parameters without rates) and inputs u
+/// (moving parameters). Sines and cosines become components of directions; abbreviations, roots and
+/// divisors become named quantities, roots and divisors with the degeneracy at which they fail. The
+/// emitted code reserves the names of `types` everywhere, and `locals` in functions. Throws
+/// NotAlgebraic with the closure's name if it is not a polynomial in such quantities.
 [[nodiscard]] equations::ImplicitEquations implicit_form(const ClosureSystem& system,
                                                          const std::vector<std::string>& types,
                                                          const std::vector<std::string>& locals);

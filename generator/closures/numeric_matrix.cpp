@@ -13,7 +13,7 @@ namespace {
 
 using Rows = std::vector<std::vector<GiNaC::numeric>>;
 
-/// The rows of a matrix of real numbers; empty if an entry is anything else.
+/// The rows of a matrix of real numbers; empty if an entry is not one.
 Rows rows_of(const GiNaC::matrix& matrix) {
   Rows rows(matrix.rows());
   for (unsigned row = 0; row < matrix.rows(); ++row) {
@@ -29,8 +29,8 @@ Rows rows_of(const GiNaC::matrix& matrix) {
 }
 
 /// Eliminates the first columns, as many as there are rows, which leaves the unit matrix there.
-/// Returns the sign of their determinant, at once if it is 0. Pivots that are far smaller than any
-/// number of a mechanism are rounding errors.
+/// Returns the sign of their determinant, at once if it is 0. Pivots far smaller than any number of
+/// a mechanism are rounding errors.
 int eliminate(Rows& rows) {
   const GiNaC::numeric least = GiNaC::numeric(10).power(-60);
   int sign = 1;

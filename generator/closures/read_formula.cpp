@@ -28,7 +28,7 @@ GiNaC::numeric exact_number(const std::string& text) {
   const std::size_t mark = text.find_first_of("eE");
   const std::string digits = text.substr(0, mark);
   if (digits.find_first_not_of(".0") == std::string::npos) {
-    return 0;  // whatever the exponent, which nothing else limits
+    return 0;  // for any exponent, which is limited nowhere else
   }
   long exponent = mark == std::string::npos ? 0 : std::stol(text.substr(mark + 1));
   std::string whole;
@@ -70,7 +70,7 @@ bool is_too_long(const GiNaC::ex& base, const GiNaC::ex& exponent) {
   return !is_one && std::abs(GiNaC::ex_to<GiNaC::numeric>(exponent).to_double()) * bits > most_bits;
 }
 
-/// Turns the nodes of a tree into expressions and vectors.
+/// Evaluates the nodes of a tree to expressions and vectors.
 class Reader {
  public:
   using PlaceOf = std::function<Place(std::size_t)>;
@@ -78,7 +78,7 @@ class Reader {
   Reader(const PlaceOf& place_of, ClosureSystem& system, const LocalNames& locals)
       : place_of_(place_of), system_(system), locals_(locals) {}
 
-  /// A scalar that is small enough to be compared, even when its abbreviations are written out.
+  /// A scalar small enough to be compared, even with its abbreviations expanded.
   GiNaC::ex formula(const text::Expression& node) {
     GiNaC::ex expression = scalar(node);
     expect_few_parts(parts_of(expression, node), node);
@@ -92,7 +92,7 @@ class Reader {
   }
 
  private:
-  /// Throws FormulaError, also where the node has no value, as for tan(pi/2).
+  /// Throws FormulaError, also for a node without a value, such as tan(pi/2).
   GiNaC::ex scalar(const text::Expression& node) {
     try {
       return evaluated(node);
@@ -200,8 +200,8 @@ class Reader {
     return *found;
   }
 
-  /// Degrees multiply where powers stand within powers or abbreviations, so that reading a short
-  /// text might never end.
+  /// Degrees multiply in powers of powers or abbreviations, so that reading a short text might
+  /// never end.
   void expect_few_parts(std::size_t parts, const text::Expression& at) const {
     if (parts > max_parts) {
       fail("written out, this has more than " + std::to_string(max_parts) + " parts", at);
@@ -213,7 +213,7 @@ class Reader {
     }
   }
 
-  /// Throws FormulaError where what abbreviations stand for leaves no value: `1/(v - a)` for v = a.
+  /// Throws FormulaError if an abbreviation's definition leaves no value: `1/(v - a)` for v = a.
   [[nodiscard]] std::size_t parts_of(const GiNaC::ex& expression,
                                      const text::Expression& at) const {
     try {
@@ -250,7 +250,7 @@ class Reader {
     return above / below;
   }
 
-  /// Whether a closure occurs in this, which is differentiated as a function then: along the
+  /// Whether this contains a closure, which is then differentiated as a function: along the
   /// solutions it is zero.
   [[nodiscard]] bool holds_closure(const text::Expression& node) const {
     return (node.kind == text::Expression::Kind::name &&
@@ -267,7 +267,7 @@ class Reader {
     return total(of, node);
   }
 
-  /// The derivative by the parameter, or by the rate of one, that is the node's second argument.
+  /// The derivative with respect to the parameter, or rate, in the node's second argument.
   GiNaC::ex total(const GiNaC::ex& expression, const text::Expression& node) {
     const text::Expression* by = &node.arguments[1];
     int order = 0;

@@ -1,4 +1,4 @@
-// Turns expressions with roots of their own into points on all their branches, and values there.
+// Points on all branches of expressions with roots of their own, and values there.
 #include <algorithm>
 
 #include "closures/closure_points.hpp"
@@ -58,7 +58,7 @@ std::vector<ClosurePoints::Telling> ClosurePoints::telling(const GiNaC::ex& expr
     add(GiNaC::sin(angle));
   }
   std::ranges::for_each(lengths, add);
-  std::map<std::string, GiNaC::ex> derivatives;  // by their names, since GiNaC's order varies
+  std::map<std::string, GiNaC::ex> derivatives;  // sorted by name, since GiNaC's order varies
   for (const GiNaC::ex& symbol : occurring) {
     if (system_.derivative_of(symbol) != nullptr || system_.moved_by(symbol) != nullptr) {
       derivatives.emplace(GiNaC::ex_to<GiNaC::symbol>(symbol).get_name(), symbol);
@@ -124,7 +124,7 @@ bool ClosurePoints::make_zero(const GiNaC::ex& telling, GiNaC::exmap& values) co
   if (terms.empty() || !std::ranges::all_of(terms, is_single)) {
     return false;
   }
-  // The first angle is turned so that the whole is zero, or a quarter turn.
+  // The first angle is chosen so that the whole sum is zero, or a quarter turn.
   equations::Vector2 rest{1, 0};
   for (const auto& [symbol, factor] : std::vector(terms.begin() + 1, terms.end())) {
     const equations::Vector2& of = algebra_.direction(symbol->symbol);
@@ -153,7 +153,7 @@ bool ClosurePoints::is_singular_with(const Telling& telling) {
       if (!values || determinant_sign(*values) != 0) {
         return false;
       }
-    } catch (const std::runtime_error&) {  // no real root there
+    } catch (const std::runtime_error&) {  // no real root at this point
       return false;
     }
   }
@@ -199,7 +199,7 @@ std::deque<ClosurePoints::Point> ClosurePoints::rational_points_on_all_branches(
   // Rates and total derivatives cost a linear system at each point.
   const bool follows = system_.follows_closures(rooted.whole);
   const std::size_t wanted = follows ? 16 : 64;
-  std::vector<const AuditSymbol*> angles;  // those of the expression first
+  std::vector<const AuditSymbol*> angles;  // those of the expression come first
   std::vector<const AuditSymbol*> signed_lengths;
   std::vector<const AuditSymbol*> positive;
   for (const bool occurs : {true, false}) {
@@ -212,7 +212,7 @@ std::deque<ClosurePoints::Point> ClosurePoints::rational_points_on_all_branches(
     }
   }
   std::deque<Point> points;
-  for (const bool insists : {true, false}) {  // first only on positive lengths
+  for (const bool insists : {true, false}) {  // first with positive lengths only
     for (unsigned seed = 1; seed <= most_draws && points.size() < wanted; ++seed) {
       Point point{random_values(seed), {}};
       // The first three angles go through all their quadrants, the others through random ones.
@@ -251,7 +251,7 @@ std::deque<ClosurePoints::Point> ClosurePoints::rational_points_on_all_branches(
           static_cast<void>(value(rooted, point));
           points.push_back(std::move(point));
         }
-      } catch (const std::runtime_error&) {  // no real root, or a singular Jacobian, there
+      } catch (const std::runtime_error&) {  // no real root, or a singular Jacobian, at this point
         continue;
       }
     }
@@ -282,7 +282,7 @@ std::deque<ClosurePoints::Point> ClosurePoints::points_on_all_branches(const Roo
     try {
       static_cast<void>(value(rooted, copy));
       points.push_back(std::move(copy));
-    } catch (const std::runtime_error&) {  // no real root there
+    } catch (const std::runtime_error&) {  // no real root at this point
       continue;
     }
   }

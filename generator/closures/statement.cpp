@@ -18,7 +18,7 @@ PlacedText part(const PlacedText& text, std::size_t from, std::size_t to) {
   return {text.text.substr(from, to - from), text.at(from + 1)};
 }
 
-/// The first separator from `from` on that stands outside parentheses.
+/// The first separator from `from` on outside parentheses.
 std::size_t find_outside(const std::string& text, char separator, std::size_t from) {
   int depth = 0;
   for (std::size_t at = from; at < text.size(); ++at) {

@@ -1,4 +1,4 @@
-// Turns the text of an audit file into its statements, each with the place where it stands.
+// Statements of an audit file with their places.
 #pragma once
 
 #include <assur/text/error.hpp>
@@ -14,7 +14,7 @@ struct Place {
   std::size_t column = 0;
 };
 
-/// Something in an audit file that cannot be read: `FILE:LINE:COLUMN: what`, on one line.
+/// An error in an audit file, on one line: `FILE:LINE:COLUMN: message`.
 class AuditSyntaxError : public text::InputError {
  public:
   AuditSyntaxError(const std::string& file, Place at, const std::string& what)
@@ -22,7 +22,7 @@ class AuditSyntaxError : public text::InputError {
                          ": " + text::on_one_line(what)) {}
 };
 
-/// A piece of text and where it begins.
+/// A piece of text and its start.
 struct PlacedText {
   std::string text;
   Place place;
@@ -44,27 +44,27 @@ struct Statement {
 [[nodiscard]] std::vector<Statement> parse_statements(const std::string& text,
                                                       const std::string& file);
 
-/// The first line and the rows in one; a place in it may lie behind the end of the first line.
+/// The first line and the rows as one text; a place in it may lie beyond the end of the first line.
 [[nodiscard]] PlacedText joined(const Statement& statement);
-/// Where a place of the joined text, or of one of the rows, stands in the file.
+/// The place in the file of a place in the joined text, or in one of the rows.
 [[nodiscard]] Place place_in(const Statement& statement, Place joined);
 
 /// Without white space at both ends.
 [[nodiscard]] PlacedText trimmed(const PlacedText& text);
-/// The parts between the separators that stand outside parentheses, trimmed.
+/// The parts between the separators outside parentheses, trimmed.
 [[nodiscard]] std::vector<PlacedText> split(const PlacedText& text, char separator);
-/// The parts before and after the first separator outside parentheses; where there is none, the
-/// second is empty and stands behind the text.
+/// The parts before and after the first separator outside parentheses; if there is none, the second
+/// is empty and lies at the end of the text.
 [[nodiscard]] std::pair<PlacedText, PlacedText> cut(const PlacedText& text, char separator);
 /// The words between white space.
 [[nodiscard]] std::vector<PlacedText> words(const PlacedText& text);
-/// Takes the first word off a text; empty if there is none.
+/// Removes and returns the first word of a text; empty if there is none.
 [[nodiscard]] PlacedText take_word(PlacedText& text);
-/// Takes the name of a file off a text: the first word, or what stands between quotation marks.
+/// Removes and returns a file name: the first word, or the text between quotation marks.
 [[nodiscard]] PlacedText take_file(PlacedText& text);
-/// Whether a text begins with this word, which is then taken off.
+/// Whether a text begins with this word, which is then removed.
 [[nodiscard]] bool take_keyword(PlacedText& text, const std::string& keyword);
-/// What stands behind the first `count` words.
+/// The text after the first `count` words.
 [[nodiscard]] PlacedText after_words(PlacedText text, int count);
 
 }  // namespace assur::generator::closures

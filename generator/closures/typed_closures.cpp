@@ -12,7 +12,7 @@ namespace assur::generator::closures {
 
 namespace {
 
-/// Statements that compare with what is derived, and add nothing to it.
+/// Statements that compare with the derivation, and add nothing to it.
 constexpr std::array<std::string_view, 5> of_the_audit = {"printed", "scene", "group", "given",
                                                           "value"};
 constexpr std::array<std::string_view, 3> shown = {"let", "loop", "closure"};

@@ -23,8 +23,8 @@ bool is_option(std::string_view word) {
          word.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string_view::npos;
 }
 
-/// The two options of a text that consists of them and a word between them; otherwise nothing. The
-/// values that a user gives may contain such words, too.
+/// The two options of a text that consists of them and a word between them, else empty strings. A
+/// user's values may contain such words, too.
 std::pair<std::string, std::string> options_around(std::string_view text, std::string_view word) {
   const std::size_t at = text.find(word);
   if (at == std::string_view::npos) {
@@ -48,7 +48,7 @@ std::string complaint_of_whole_number(const std::string& text, int most) {
   int number = 0;
   const char* const end = text.data() + text.size();
   const auto [at, error] = std::from_chars(text.data(), end, number);
-  // With a zero in front it would be read as an octal number.
+  // With a leading zero it would be read as an octal number.
   if (at == end && error == std::errc() && number >= 1 && number <= most &&
       !text.starts_with('0')) {
     return "";

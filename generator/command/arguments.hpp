@@ -1,4 +1,4 @@
-// Turns errors in the words of a command line into one line that explains them.
+// One-line messages about errors in the words of a command line.
 #pragma once
 
 #include <string>
@@ -6,23 +6,23 @@
 
 namespace assur::generator::command {
 
-/// What is wrong with a word that must be one of `words`; empty if it is.
+/// The error of a word that must be one of `words`; empty if it is.
 [[nodiscard]] std::string complaint_of_word(const std::string& word,
                                             const std::vector<std::string>& words);
 
-/// What is wrong with the text of a whole number from 1 to `most`; empty if it is one.
+/// The error in the text of an integer from 1 to `most`; empty if it is one.
 [[nodiscard]] std::string complaint_of_whole_number(const std::string& text, int most);
 
-/// What is wrong with the text of a number from `least` to `most`; empty if it is one.
+/// The error in the text of a number from `least` to `most`; empty if it is one.
 [[nodiscard]] std::string complaint_of_number(const std::string& text, double least, double most);
 
-/// What is wrong with the first word of a command line that looks like an option and is not one of
+/// The error of the first word of a command line that looks like an option and is not one of
 /// `options`; empty if there is no such word.
 [[nodiscard]] std::string complaint_of_options(const std::vector<std::string>& words,
                                                const std::vector<std::string>& options);
 
-/// Turns the library's messages about a missing or repeated value, and about options that require
-/// or exclude each other, into sentences. Its other messages are sentences already and stay.
+/// Rewrites the library's messages about a missing or repeated value, and about options that
+/// require or exclude each other, as sentences. Its other messages are sentences already.
 [[nodiscard]] std::string complaint_of_library(const std::string& text);
 
 }  // namespace assur::generator::command

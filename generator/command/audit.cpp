@@ -1,4 +1,4 @@
-// Audits, and drafts of audit files.
+// The command `assur audit`: audits, and drafts of audit files.
 #include "audit/audit.hpp"
 
 #include <algorithm>
@@ -62,7 +62,7 @@ void draft_audit(const AuditOptions& options) {
   campaign::expect_writable(output);
   campaign::expect_other(output, {file});
   campaign::expect_new(output, options.force);
-  // Names of files in an audit file are relative to its directory.
+  // File names in an audit file are relative to its directory.
   const std::filesystem::path directory = std::filesystem::absolute(output).parent_path();
   std::error_code none;
   const std::filesystem::path named = std::filesystem::relative(file, directory, none);

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using Use = std::function<void(const std::vector<double>&)>;
 
-/// The file of a rank's shard stands beside the file of the whole.
+/// The file of a rank's shard is beside the file of the whole.
 fs::path shard_file(const CampaignOptions& options, const campaign::Shard& shard) {
   const fs::path output = options.output;
   fs::path file = output;
@@ -36,12 +36,12 @@ int threads_of(const CampaignOptions& options, const Ranks& ranks) {
   if (options.threads > 0) {
     return options.threads;
   }
-  // Several ranks are taken to have one core each.
+  // Several ranks are assumed to have one core each.
   return ranks.count() > 1 ? 1
                            : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
 }
 
-/// Every rank computes its shard, and the first merges them.
+/// Every rank computes its shard; then the first one merges them.
 bool compute_on_ranks(const Ranks& ranks, campaign::Execution whole, const CampaignOptions& options,
                       const Use& use) {
   std::vector<fs::path> files;
@@ -123,7 +123,7 @@ bool compute(const CampaignOptions& options, const campaign::Outputs& files,
              const Use& use) {
   const Ranks ranks;
   const std::uint64_t items =
-      description.items / description.shard.count / ranks.count();  // roughly, for the bar alone
+      description.items / description.shard.count / ranks.count();  // roughly, for the progress bar
   ProgressBar bar;
   campaign::Execution execution{
       campaign, description, files, options.force, threads_of(options, ranks), nullptr};
@@ -162,7 +162,7 @@ std::uint64_t whole_number(const std::string& text, std::uint64_t least, std::ui
   const auto [at, error] = std::from_chars(text.data(), end, number);
   bool is_whole = error == std::errc() && at == end;
   if (!is_whole) {
-    double power = 0;  // 1e6 is a whole number too
+    double power = 0;  // 1e6 is an integer, too
     const auto [stop, failure] = std::from_chars(text.data(), end, power);
     is_whole = failure == std::errc() && stop == end && power >= 0 && power <= 0x1p53 &&
                power == std::floor(power);

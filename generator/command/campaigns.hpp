@@ -1,4 +1,4 @@
-// Turns the options that `assur sample`, `assur map` and `assur merge` share into files.
+// Options and files that `assur sample`, `assur map` and `assur merge` share.
 #pragma once
 
 #include <assur/mechanism/campaign.hpp>
@@ -19,7 +19,7 @@ struct CampaignOptions {
   std::string output, plot;
   std::string shard = "1/1";
   std::string format = "text";
-  int threads = 0;  ///< zero for as many as there are cores
+  int threads = 0;  ///< zero: as many as there are cores
   bool force = false;
 };
 
@@ -37,14 +37,14 @@ struct MergeOptions : CampaignOptions {
 };
 
 /// Each writes the table, unless sample or map find it complete, and the picture, and prints a
-/// summary. Throws InputError for what cannot be used or written.
+/// summary. Throws InputError for invalid input and if a file cannot be written.
 void run_sample(const SampleOptions& options);
 void run_map(const MapOptions& options);
 void run_merge(const MergeOptions& options);
 
-/// `--output` by its extension, and `--plot`. Throws InputError for other extensions, for names
-/// that no file can have, for files that are read (`inputs`), for a picture of a shard, and where a
-/// picture has a name that is taken.
+/// The files of `--output`, in the format of its extension, and `--plot`. Throws InputError for
+/// other extensions, for impossible names, for files that are read (`inputs`), for a picture of a
+/// shard, and if the name of the picture is taken.
 [[nodiscard]] campaign::Outputs files_of(const CampaignOptions& options,
                                          const std::vector<std::string>& inputs);
 
@@ -57,14 +57,13 @@ struct CampaignScene {
                                            const CampaignOptions& options);
 
 /// Computes and writes the rows and the picture, on this rank or on all of them together, and hands
-/// over those of the shard that the options name. Returns false, without rows, on any rank but the
-/// first.
+/// over the rows of the requested shard. Returns false, without rows, on any rank but the first.
 [[nodiscard]] bool compute(const CampaignOptions& options, const campaign::Outputs& files,
                            const mechanism::Campaign& campaign,
                            const campaign::Description& description,
                            const std::function<void(const std::vector<double>&)>& use);
 
-/// A whole number up to a limit, in digits or as 1e6; throws InputError with the option's name.
+/// An integer up to a limit, in digits or as 1e6; throws InputError with the option's name.
 [[nodiscard]] std::uint64_t whole_number(const std::string& text, std::uint64_t least,
                                          std::uint64_t most, const std::string& option);
 

@@ -119,8 +119,8 @@ Json group_json(const structure::Group& group) {
   return root;
 }
 
-/// Two tables: the models, with the columns of a printed table where there is one, and where their
-/// Jacobians are singular.
+/// Two tables: the models, with the columns of a printed table if there is one, and the
+/// singularities of their Jacobians.
 std::string group_markdown(const structure::Group& group) {
   const bool printed = structure::printed_table(group) != nullptr;
   const std::vector<CatalogueEntry> entries = entries_of(group);
@@ -149,7 +149,7 @@ std::string group_markdown(const structure::Group& group) {
   return text;
 }
 
-/// A line that continues on indented lines where it would be wider than a terminal.
+/// A line that is continued on indented lines if it is wider than a terminal.
 std::string wrapped(const std::string& line) {
   constexpr std::size_t width = 80;
   const std::string indent(9, ' ');
@@ -159,7 +159,7 @@ std::string wrapped(const std::string& line) {
   while (line.size() - begin > room) {
     std::size_t end = line.rfind(' ', begin + room);
     if (end == std::string::npos || end <= begin) {
-      break;  // a word alone is wider
+      break;  // a single word is wider
     }
     text += line.substr(begin, end - begin) + "\n" + indent;
     begin = end + 1;

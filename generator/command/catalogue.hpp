@@ -1,4 +1,4 @@
-// Turns the known groups into the catalogue of their kinds and models, beside what papers print.
+// The catalogue of groups, kinds and models, compared with the tables of papers.
 #pragma once
 
 #include <string>

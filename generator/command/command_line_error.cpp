@@ -22,8 +22,8 @@ void add_options(const CLI::App& command, std::vector<std::string>& names) {
   }
 }
 
-/// What a command needs in addition to an option that is missing: one option of each group of which
-/// none is given.
+/// What a command needs in addition to a missing option: one option of each group of which none is
+/// given.
 std::string missing_choices(const CLI::App& command) {
   std::string choices;
   for (const CLI::App* group : command.get_subcommands(nullptr)) {

@@ -1,4 +1,4 @@
-// Turns what CLI11 refuses in a command line into one line that says what is wrong.
+// One-line messages for command lines that CLI11 rejects.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,8 +7,8 @@
 
 namespace assur::generator::command {
 
-/// The subcommand, if there is one, what is wrong with the command line, and where to find help.
-/// `words` is the command line without the program's name.
+/// The subcommand, if there is one, the error, and where to find help. `words` is the command line
+/// without the program's name.
 [[nodiscard]] std::string command_line_error(const CLI::App& app, const CLI::ParseError& error,
                                              const std::vector<std::string>& words);
 

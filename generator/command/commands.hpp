@@ -1,4 +1,4 @@
-// What the commands for audits, pictures, emitted files and scenes do, and their options.
+// The commands for audits, pictures, emitted files and scenes, with their options.
 #pragma once
 
 #include <assur/mechanism/plan.hpp>
@@ -10,33 +10,33 @@ namespace assur::generator::command {
 
 struct AuditOptions {
   std::vector<std::string> files;
-  std::string map;  ///< the file that says what the notation of papers in LaTeX stands for
+  std::string map;  ///< the map of the notation of papers in LaTeX
   std::string format = "text";
   bool run = false;     ///< whether programs may be run
   std::string flags;    ///< for their compiler, separated by spaces
   double seconds = 10;  ///< the time limit of a program
-  bool draft = false;   ///< the files are programs or papers, and their audit files are wanted
-  std::string output;   ///< the file of a draft; standard output where it is empty
+  bool draft = false;   ///< the files are programs or papers; write drafts of their audit files
+  std::string output;   ///< the file of a draft; empty: standard output
   bool force = false;   ///< whether that file may be replaced
 };
 
 /// Prints the reports and returns whether everything agrees.
 [[nodiscard]] bool run_audit(const AuditOptions& options);
 
-/// Writes the audit file for a program, or the map for a paper, as far as it can be told.
+/// Writes a draft of the audit file for a program, or of the map for a paper.
 void draft_audit(const AuditOptions& options);
 
 struct DrawOptions {
   std::string scene;
   std::vector<std::string> settings;
-  std::string output;     ///< the file; its extension says which form it has
+  std::string output;     ///< the file; its extension selects the format
   int configuration = 0;  ///< 0 for all
   bool nearest = false;   ///< the configuration nearest to the scene's reference
   bool moving = false;    ///< a branch of the sweep in motion
 };
 
-/// Draws the scene and writes the file. Throws InputError for what cannot be used or drawn, for an
-/// extension that is not known, and where the file cannot be written: it is then as it was before.
+/// Draws the scene and writes the file. Throws InputError for invalid input, for an unknown
+/// extension, and if the file cannot be written, which is then as before.
 void draw_scene(const DrawOptions& options);
 
 struct EmitOptions {
@@ -45,8 +45,8 @@ struct EmitOptions {
   std::string group = "tetrad";
   std::string scene;
   std::vector<std::string> variables;  ///< of the scene's parameters
-  std::vector<std::string> wants;      ///< instead of the scene's; empty: the scene's
-  std::vector<std::string> with;       ///< what a model's header holds beside its own functions
+  std::vector<std::string> wants;      ///< empty: the scene's
+  std::vector<std::string> with;       ///< optional functions of a model's header
   std::string interface = "cpp";       ///< cpp, c or c-float
   std::string closures;
   std::string output;
@@ -54,40 +54,40 @@ struct EmitOptions {
 };
 
 /// Writes the files; with `check`, prints which are missing or differ instead, and returns false if
-/// any does. Throws InputError for what cannot be emitted.
+/// there are any. Throws InputError for input that cannot be emitted.
 [[nodiscard]] bool run_emit(const EmitOptions& options);
 
 struct ImportOptions {
-  std::string source;  ///< a file, or a shared link or expression itself
+  std::string source;  ///< a file, or a shared link or an expression
   std::string output;
   std::string driver;  ///< of an expression of Pyslvs: the point of the driven joint
   bool replace = false;
 };
 
-/// Writes the scene, and a line for each thing that it does not say on standard error. Returns
-/// whether all that holds or drives the mechanism is in it. Throws InputError for what cannot be
-/// read, and where the scene cannot be written: nothing is written then.
+/// Writes the scene, and a line to standard error for each part that it does not contain. Returns
+/// whether it contains all joints and drivers. Throws InputError for input that cannot be read, and
+/// if the scene cannot be written: then nothing is written.
 [[nodiscard]] bool import_file(const ImportOptions& options);
 
 struct SweepOptions {
   std::string scene;
   std::vector<std::string> settings;
-  int branch = 0;          ///< the rows of this branch alone; 0 for those of all, and of events
-  bool nearest = false;    ///< the rows of the branch nearest to the scene's reference
+  int branch = 0;          ///< only the rows of this branch; 0 for those of all, and of events
+  bool nearest = false;    ///< only the rows of the branch nearest to the scene's reference
   bool unwrapped = false;  ///< angles continue by whole turns along a branch
 };
 
 /// Follows the branches over the scene's sweep, prints their rows to standard output as they are
 /// computed, and returns whether the result is negative: the structure is degenerate at a step.
-/// Throws InputError for what cannot be used, before anything is printed, except for a branch that
-/// does not exist.
+/// Throws InputError for invalid input, before anything is printed, except for a branch that does
+/// not exist.
 [[nodiscard]] bool run_sweep(const SweepOptions& options);
 
-/// The same for a scene that is read and planned. Throws also MechanismError.
+/// The same for a scene that is read and planned. Also throws MechanismError.
 [[nodiscard]] bool print_sweep(const SweepOptions& options, const mechanism::Scene& scene,
                                const mechanism::Plan& plan);
 
-/// What a solution and a sweep are asked for alike, and what only a solution is.
+/// Options shared with a sweep, and those of a solution only.
 struct SolveOptions : SweepOptions {
   std::string format = "text";  ///< csv: over the scene's sweep, if it has one
   bool prove = false;           ///< enclose all complex configurations of every group
@@ -95,8 +95,8 @@ struct SolveOptions : SweepOptions {
 };
 
 /// Solves or sweeps the scene, prints the result to standard output, and returns whether it is
-/// negative: the structure is degenerate. Throws InputError for what cannot be used; in a sweep,
-/// before anything is printed, except for a branch that does not exist.
+/// negative: the structure is degenerate. Throws InputError for invalid input; in a sweep, before
+/// anything is printed, except for a branch that does not exist.
 [[nodiscard]] bool print_solution(const SolveOptions& options);
 
 }  // namespace assur::generator::command

@@ -1,4 +1,4 @@
-// Turns the argument of `assur derive` into the kind that it means.
+// The kind that the argument of `assur derive` names.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace assur::generator::command {
 
 struct DeriveOptions {
   std::string what;   ///< a model's number, or a kind
-  std::string group;  ///< empty: the tetrad for a number, the group that spells it so for a kind
+  std::string group;  ///< empty: the tetrad for a number, the group with that spelling for a kind
   std::string format = "text";
 };
 

@@ -1,4 +1,4 @@
-// Pictures of scenes.
+// The command `assur draw`: pictures of scenes.
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/drawing.hpp>
@@ -60,7 +60,7 @@ std::string page(const Source& source, const DrawOptions& options) {
                       mechanism::SceneText{source.text, options.settings}, options.configuration);
 }
 
-/// A form of drawings, by the extension of its files.
+/// A format of drawings, by the extension of its files.
 struct Form {
   const char* extension;
   std::string (*text)(const Source&, const DrawOptions&);

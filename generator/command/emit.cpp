@@ -1,4 +1,4 @@
-// Files of C++ and C.
+// The command `assur emit`: files of C++ and C.
 #include "emission/model/emit.hpp"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ using text::InputError;
 
 namespace {
 
-/// Adds the parameters that `--variable` names to those that the scene itself makes variable.
+/// Adds the parameters of `--variable` to those that the scene itself makes variable.
 void add_variables(const std::vector<std::string>& names, assur::mechanism::Scene& scene) {
   std::vector<assur::mechanism::ParameterIndex>& variable = scene.request.variable;
   std::vector<assur::mechanism::ParameterIndex> added;

@@ -1,4 +1,4 @@
-// Scenes of other programs.
+// The command `assur import`: scenes from files of other programs.
 #include <assur/mechanism/imported_scene.hpp>
 #include <assur/text/input_file.hpp>
 #include <assur/text/quoted.hpp>

@@ -1,4 +1,4 @@
-// Turns the command line of `assur` into one subcommand and an exit status.
+// The command `assur`: runs one subcommand and returns its exit status.
 #include <CLI/CLI.hpp>
 #include <assur/text/error.hpp>
 #include <assur/text/quoted.hpp>
@@ -19,7 +19,7 @@ using assur::text::InputError;
 
 constexpr int exit_unusable = 2;
 
-/// One line, whatever the words of the command line and the names of files contain.
+/// Prints one line, whatever the words of the command line and the names of files contain.
 void print_error(const std::string& text) {
   std::cerr << "error: " << assur::text::on_one_line(text) << '\n';
 }
@@ -45,8 +45,8 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  // Writing to a closed pipe, or to a file that may not grow, is to fail with an error and a status
-  // instead of ending the process.
+  // Writing to a closed pipe, or to a file that may not grow, must fail with an error instead of
+  // ending the process by a signal.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
@@ -56,8 +56,8 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     print_error(error.what());
   } catch (const std::bad_alloc&) {
-    print_error("the memory does not suffice; ask for less in one run");
-  } catch (const OtherRankFailed&) {  // that rank says why
+    print_error("out of memory; compute less in one run");
+  } catch (const OtherRankFailed&) {  // that rank has reported the error
   } catch (const ClosedPipe&) {       // the reader closed it on purpose
   } catch (const std::exception& error) {
     print_error(std::string("internal: ") + error.what() + "; please report this with its input");

@@ -1,4 +1,4 @@
-// `assur map`: rows, a summary and a picture of a grid of parameters.
+// The command `assur map`: rows, a summary and a picture of a grid of parameters.
 #include <algorithm>
 #include <assur/mechanism/error.hpp>
 #include <assur/text/counts.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t most_values = 100'000'000;  // as many as cells of a grid
 
-/// Parts of a text between separators that stand outside of all parentheses.
+/// Parts of a text between separators outside all parentheses.
 std::vector<std::string> parts_between(const std::string& text, char separator) {
   std::vector<std::string> parts = {""};
   int depth = 0;
@@ -33,7 +33,7 @@ std::vector<std::string> parts_between(const std::string& text, char separator) 
   return parts;
 }
 
-/// An axis as `--over` gives it, with its ends as numbers of the mechanism.
+/// An axis of `--over`, with its ends as numbers of the mechanism.
 struct WrittenAxis {
   mechanism::ParameterIndex parameter;
   mechanism::NumberIndex from, to;

@@ -1,4 +1,4 @@
-// `assur merge`: one table of all shards, its summary and its picture.
+// The command `assur merge`: one table of all shards, its summary and its picture.
 #include "campaign/merge.hpp"
 
 #include <assur/text/error.hpp>

@@ -1,4 +1,4 @@
-// What the command writes: answers to standard output, remarks and progress to standard error.
+// Output of the command: answers to standard output, remarks and progress to standard error.
 #pragma once
 
 #include <chrono>
@@ -8,25 +8,25 @@
 
 namespace assur::generator::command {
 
-/// Thrown when the reader has closed the pipe, as `| head` does, and wants no more output.
+/// Thrown when the reader has closed the pipe, as `| head` does.
 struct ClosedPipe {};
 
-/// Writes to standard output. Throws InputError where that fails, because the disk is full for
-/// instance, and ClosedPipe.
+/// Writes to standard output. Throws InputError if that fails, for instance on a full disk, and
+/// ClosedPipe.
 void print(const std::string& text);
 
-/// Writes out what is still buffered, and throws as `print` does.
+/// Writes buffered output, and throws as `print` does.
 void finish_output();
 
-/// Standard error, or nowhere after `silence_remarks`. Errors are not remarks: always shown.
+/// Standard error, or nothing after `silence_remarks`; errors are always shown.
 [[nodiscard]] std::ostream& remarks();
 
 void silence_remarks();
 [[nodiscard]] bool remarks_are_silent();
 
-/// One line that is redrawn, and erased at the end. It does not appear in the first second, so that
-/// quick commands show none. Where standard error is not a terminal, or remarks are silent, nothing
-/// is written.
+/// One line that is redrawn, and erased at the end. It appears after one second, so that quick
+/// commands show none. Nothing is written if standard error is not a terminal, or remarks are
+/// silenced.
 class ProgressBar {
  public:
   ProgressBar();

@@ -1,4 +1,4 @@
-// Turns the processes that `mpirun` has started into ranks that wait for one another.
+// The processes that `mpirun` has started, as ranks that wait for one another.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace assur::generator::command {
 
-/// Another process that was started together with this one has failed, and has said why.
+/// Another process started together with this one has failed and reported its error.
 class OtherRankFailed : public std::exception {};
 
 /// This process among those that MPI has started together; a single one if MPI has not started it.
@@ -22,12 +22,12 @@ class Ranks {
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] bool is_first() const { return number_ == 0; }
 
-  /// Does a part of the work, and waits until all have done theirs. The first of those that fail
-  /// throws what its part threw, all others OtherRankFailed.
+  /// Does a part of the work, and waits until all have done theirs. The first rank whose part
+  /// throws rethrows the exception, all others throw OtherRankFailed.
   void together(const std::function<void()>& part) const;
 
  private:
-  /// The least of the numbers that the ranks give.
+  /// The smallest of the ranks' numbers.
   [[nodiscard]] std::uint64_t least_of(std::uint64_t own) const;
 
   std::uint64_t number_ = 0, count_ = 1;

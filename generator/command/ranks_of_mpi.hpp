@@ -1,4 +1,4 @@
-// Turns what this program needs of MPI into functions of a module.
+// The functions of MPI that the program needs, for a module.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ struct AssurMpiRank {
 };
 /// Begins MPI.
 [[nodiscard]] AssurMpiRank assur_mpi_begin();
-/// The least of the numbers that all ranks give.
+/// The smallest of the numbers of all ranks.
 [[nodiscard]] std::uint64_t assur_mpi_least(std::uint64_t own);
 void assur_mpi_end();
 }

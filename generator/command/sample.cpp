@@ -1,4 +1,4 @@
-// `assur sample`: rows, a summary and a picture of random deviations.
+// The command `assur sample`: rows, a summary and a picture of random deviations.
 #include <array>
 #include <assur/mechanism/error.hpp>
 #include <assur/text/counts.hpp>
@@ -28,7 +28,7 @@ std::string tolerances_of(const mechanism::Mechanism& mechanism,
   });
 }
 
-/// Tells the first sample of each outcome without a configuration, and the reason.
+/// Reports the first sample of each outcome without a configuration, and the reason.
 void tell_lost_samples(const mechanism::Mechanism& mechanism, const mechanism::Sampling& sampling,
                        const campaign::SampleSummary& summary) {
   constexpr std::array<Outcome, 4> lost = {Outcome::beyond_limits, Outcome::no_assembly,

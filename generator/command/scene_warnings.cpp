@@ -15,8 +15,8 @@ using mechanism::Mechanism;
 using mechanism::NumberIndex;
 using mechanism::ParameterIndex;
 
-/// Whether a number follows a parameter, itself or by the formulas of others. Formulas of
-/// parameters do not go round in a circle.
+/// Whether a number depends on a parameter, directly or by the formulas of others. Formulas of
+/// parameters have no cycles.
 bool follows(const Mechanism& mechanism, NumberIndex number, ParameterIndex parameter) {
   if (!number.exists()) {
     return false;

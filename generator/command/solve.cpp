@@ -1,4 +1,4 @@
-// The configurations of a scene.
+// The command `assur solve`: the configurations of a scene.
 #include <assur/mechanism/report.hpp>
 #include <assur/mechanism/scene_file.hpp>
 #include <assur/text/error.hpp>
@@ -22,7 +22,7 @@ void expect_configuration(const SolveOptions& options, std::size_t count, const 
   }
 }
 
-/// The options that ask for a sweep need one.
+/// Throws if an option that needs a sweep is given without one.
 void expect_sweep(const SolveOptions& options, const mechanism::Scene& scene) {
   if (options.circuits && !scene.request.sweep) {
     throw text::InputError(options.scene + ": --circuits: the scene has no sweep; add one");

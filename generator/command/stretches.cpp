@@ -13,7 +13,7 @@ namespace {
 constexpr const char* beyond = "beyond the limits of joints";
 constexpr const char* incomplete = "incomplete";
 
-/// Why a step counts as one without configurations; empty if it has all.
+/// Why a step counts as one without configurations; empty if it has all of them.
 std::string what_is_missing(const mechanism::Solution& solution) {
   using mechanism::SolutionStatus;
   const bool all_beyond =
@@ -83,7 +83,7 @@ void StretchTeller::finish() {
   breaches_.clear();
 }
 
-/// The reason of a stretch. The distance by which links fail to close is that half-way along it.
+/// The reason of a stretch. The distance by which links fail to close is measured at its middle.
 std::string StretchTeller::reason_of_stretch(int count) {
   if (what_ == beyond) {
     return ": " + breaches_text(plan_.mechanism(), breaches_);
@@ -94,7 +94,7 @@ std::string StretchTeller::reason_of_stretch(int count) {
   const mechanism::Values& values = values_at(first_ + count / 2);
   const double place = values.parameter(plan_.request().sweep->parameter);
   const std::string reason = plan_.obstacle(values);
-  if (reason.empty()) {  // solved alone, that step can be assembled
+  if (reason.empty()) {  // that step alone can be assembled
     return plan_.structure().reading.empty()
                ? ": at " + shown_value(place) + ", the links reach to within rounding"
                : ": laws read angles that count whole turns from the first step; solved alone, "

@@ -1,4 +1,4 @@
-// Turns the steps of a sweep that have no configurations into lines: their ranges and reasons.
+// Remarks on the steps of a sweep without configurations: their ranges and reasons.
 #pragma once
 
 #include <assur/mechanism/plan.hpp>
@@ -7,13 +7,13 @@
 
 namespace assur::generator::command {
 
-/// A value of a sweep's parameter as remarks show it.
+/// A value of a sweep's parameter as printed in remarks.
 [[nodiscard]] std::string shown_value(double number);
 
 /// Reports each stretch of steps without configurations once: its range, and the reason.
 class StretchTeller {
  public:
-  /// The plan's request has a sweep.
+  /// The plan's request must have a sweep.
   explicit StretchTeller(const mechanism::Plan& plan);
 
   /// Takes the next step.
@@ -29,9 +29,9 @@ class StretchTeller {
 
   const mechanism::Plan& plan_;
   mechanism::Values values_;
-  double begin_, range_;                          ///< of the swept parameter
-  std::string what_, reason_;                     ///< of the open stretch; empty if there is none
-  std::string text_;                              ///< of the stretches that have ended
+  double begin_, range_;                          ///< for the swept parameter
+  std::string what_, reason_;                     ///< for the open stretch; empty if there is none
+  std::string text_;                              ///< about the stretches that have ended
   std::vector<mechanism::LimitBreach> breaches_;  ///< in the open stretch
   int step_ = 0, first_ = 0;
   double from_ = 0, to_ = 0;

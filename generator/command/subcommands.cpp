@@ -24,7 +24,7 @@ namespace assur::generator::command {
 namespace {
 
 constexpr int most_threads = 1024;
-/// The limits of `--time-limit`.
+/// The limits of `--time-limit`, in seconds.
 constexpr double least_seconds = 0.1;
 constexpr double most_seconds = 3600;
 
@@ -34,7 +34,7 @@ struct CatalogueOptions {
 
 struct NoOptions {};
 
-/// A whole number from 1 to `most`.
+/// An integer from 1 to `most`.
 CLI::Validator whole_number(int most) {
   return {[most](const std::string& text) { return complaint_of_whole_number(text, most); }, ""};
 }
@@ -94,7 +94,7 @@ void add_campaign_options(CLI::App& command, CampaignOptions& options) {
   command.add_flag("--force", options.force, "replace files that exist");
 }
 
-/// These options, and those of the commands that compute the solutions.
+/// These options, and those of the commands that compute solutions.
 void add_computing_options(CLI::App& command, CampaignOptions& options) {
   add_scene(command, options.scene);
   add_campaign_options(command, options);
@@ -197,8 +197,9 @@ void declare_solve(CLI::App& command, SolveOptions& options) {
                    "prove that no configuration is missing: enclose\nall complex configurations of "
                    "every group");
   command.add_flag("--circuits", options.circuits,
-                   "also tell on which branch and circuit of the\nsweep a configuration is; with "
-                   "--format csv a\nsweep always tells");
+                   "also report the branch and circuit of each\nconfiguration in the sweep; with "
+                   "--format csv a\n"
+                   "sweep always reports them");
   command.add_flag("--unwrapped", options.unwrapped,
                    "with --format csv and a sweep: angles continue\nby whole turns along a branch");
 }
@@ -283,8 +284,7 @@ void declare_audit(CLI::App& command, AuditOptions& options) {
       .add_option("FILE", options.files,
                   "audit files, or papers in LaTeX with --map;\nor a program or paper with --init")
       ->required();
-  command.add_option("--map", options.map, "what the notation of the papers stands for")
-      ->check(not_empty());
+  command.add_option("--map", options.map, "the map of the papers' notation")->check(not_empty());
   command.add_option("--format", options.format, "the form of the report")
       ->check(one_of({"text", "markdown", "json", "github"}))
       ->capture_default_str();
@@ -368,7 +368,7 @@ int audit_or_draft(const AuditOptions& options) {
   return status(!run_audit(options));
 }
 
-/// A subcommand that reads its options from the command line, and what it then does with them.
+/// Adds a subcommand with its options and the function that runs it.
 template <typename Options>
 void add(CLI::App& app, Chosen& chosen, const std::string& name, const std::string& description,
          void (*declare)(CLI::App&, Options&), int (*run)(const Options&)) {
@@ -399,7 +399,7 @@ void add_subcommands(CLI::App& app, Chosen& chosen) {
                      draw_scene(options);
                      return exit_done;
                    });
-  add<ImportOptions>(app, chosen, "import", "make a scene of a file of Linkage, PMKS+ or Pyslvs",
+  add<ImportOptions>(app, chosen, "import", "import a file of Linkage, PMKS+ or Pyslvs",
                      declare_import,
                      [](const ImportOptions& options) { return status(!import_file(options)); });
   add<SampleOptions>(app, chosen, "sample", "sample parameters within the tolerances of a scene",
@@ -412,8 +412,8 @@ void add_subcommands(CLI::App& app, Chosen& chosen) {
                     run_map(options);
                     return exit_done;
                   });
-  add<MergeOptions>(app, chosen, "merge", "put the shards of a sample or a map together",
-                    declare_merge, [](const MergeOptions& options) {
+  add<MergeOptions>(app, chosen, "merge", "merge the shards of a sample or a map", declare_merge,
+                    [](const MergeOptions& options) {
                       run_merge(options);
                       return exit_done;
                     });

@@ -1,4 +1,4 @@
-// Turns the subcommands of `assur` into options of a command line, and into what each of them does.
+// The subcommands of `assur` with their options.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,11 +10,11 @@ namespace assur::generator::command {
 inline constexpr int exit_done = 0;
 inline constexpr int exit_negative = 1;
 
-/// What the command line asks for; returns an exit status.
+/// The action that the command line selects; returns an exit status.
 using Chosen = std::function<int()>;
 
-/// Adds every subcommand with its options; while `app` parses a command line, `chosen` becomes what
-/// the one that is named there does. It throws what the subcommands throw.
+/// Adds every subcommand with its options; when `app` parses a command line, `chosen` becomes the
+/// action of the subcommand named there. It throws what the subcommands throw.
 void add_subcommands(CLI::App& app, Chosen& chosen);
 
 }  // namespace assur::generator::command

@@ -1,10 +1,14 @@
 // The rows of a sweep's branches.
-#include <algorithm>
 #include <assur/mechanism/report.hpp>
 #include <assur/mechanism/sweep.hpp>
 #include <assur/text/error.hpp>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <memory>
 #include <optional>
-#include <utility>
+#include <string>
 
 #include "command/commands.hpp"
 #include "command/output.hpp"
@@ -36,116 +40,138 @@ void expect_no_setting_of(const mechanism::Plan& plan, const SweepOptions& optio
   }
 }
 
-/// The rows of a sweep and the stretches without any, kept until they may be printed.
-class SweepOutput {
+/// Rows in a temporary file, so that a sweep of any length takes little memory.
+class StoredRows {
  public:
-  SweepOutput(const SweepOptions& options, const mechanism::Plan& plan,
-              mechanism::Circuits circuits)
-      : text_(csv_header(plan)),
-        rows_(plan, std::move(circuits),
-              options.unwrapped ? mechanism::SweepRows::Angles::unwrapped
-                                : mechanism::SweepRows::Angles::principal),
-        stretches_(plan) {}
-
-  void add(const mechanism::SweepRecord& row) { rows_.add(row, text_); }
-
-  /// Takes the solution of the next step.
-  void judge(double parameter, const mechanism::Solution& solution) {
-    degenerate_ = degenerate_ || solution.status == mechanism::SolutionStatus::degenerate;
-    stretches_.step(parameter, solution);
+  StoredRows() : file_(std::tmpfile(), &std::fclose) {
+    if (!file_) {
+      fail();
+    }
   }
 
-  /// Prints what is known so far.
-  void release() {
-    print(text_);
-    text_.clear();
-    stretches_.tell();
+  void add(const std::string& row) {
+    if (std::fwrite(row.data(), 1, row.size(), file_.get()) != row.size()) {
+      fail();
+    }
   }
 
-  /// Prints the rest, and returns whether a step was degenerate.
-  [[nodiscard]] bool finish() {
-    stretches_.finish();
-    release();
-    return degenerate_;
+  /// Calls `use` with each row and its end of line, in their order.
+  template <typename Use>
+  void for_each(const Use& use) {
+    std::rewind(file_.get());
+    std::string row;
+    for (int letter = std::getc(file_.get()); letter != EOF; letter = std::getc(file_.get())) {
+      row += static_cast<char>(letter);
+      if (letter == '\n') {
+        use(row);
+        row.clear();
+      }
+    }
+    if (std::ferror(file_.get()) != 0) {
+      fail();
+    }
   }
 
  private:
-  std::string text_;
-  mechanism::SweepRows rows_;
-  StretchTeller stretches_;
-  bool degenerate_ = false;
+  [[noreturn]] static void fail() {
+    throw text::InputError(std::string("a temporary file for the rows: ") + std::strerror(errno));
+  }
+
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-/// The steps that are followed before the first rows are printed: what comes before it may fail
-/// because the first two are too far apart.
-constexpr int steps_before_rows = 2;
+/// The rows of a sweep and the stretches without any. Nothing is printed before the sweep's end:
+/// any event may join two circuits, and an error leaves no output.
+class SweepOutput {
+ public:
+  SweepOutput(const SweepOptions& options, const mechanism::Plan& plan)
+      : header_(csv_header(plan)),
+        rows_(plan, options.unwrapped ? mechanism::SweepRows::Angles::unwrapped
+                                      : mechanism::SweepRows::Angles::principal),
+        stretches_(plan),
+        steps_(static_cast<std::uint64_t>(plan.request().sweep->count)) {}
 
-/// All branches side by side, or one of them. Nothing is printed before the requested branch has
-/// begun, since it may not exist.
+  /// What a sweep calls; `is_wanted` tells which of its records become rows.
+  [[nodiscard]] mechanism::SweepObserver observer(
+      const std::function<bool(const mechanism::SweepRecord&)>& is_wanted) {
+    return {.record =
+                [this, is_wanted](const mechanism::SweepRecord& record) {
+                  if (is_wanted(record)) {
+                    std::string row;
+                    rows_.add(record, row);
+                    stored_.add(row);
+                  }
+                },
+            .solved =
+                [this](double parameter, const mechanism::Solution& solution) {
+                  is_degenerate_ =
+                      is_degenerate_ || solution.status == mechanism::SolutionStatus::degenerate;
+                  stretches_.step(parameter, solution);
+                },
+            .progress = [this](int done) { bar_->show(static_cast<std::uint64_t>(done), steps_); },
+            .circuits = [this](const mechanism::Circuits& circuits) { circuits_ = circuits; }};
+  }
+
+  /// Prints everything, and returns whether a step was degenerate.
+  [[nodiscard]] bool finish() {
+    bar_.reset();
+    print(header_);
+    stored_.for_each([this](std::string& row) {
+      mechanism::SweepRows::set_circuit(circuits_, row);
+      print(row);
+    });
+    stretches_.finish();
+    stretches_.tell();
+    return is_degenerate_;
+  }
+
+ private:
+  std::string header_;
+  mechanism::SweepRows rows_;
+  StoredRows stored_;
+  StretchTeller stretches_;
+  mechanism::Circuits circuits_;
+  std::optional<ProgressBar> bar_ = std::make_optional<ProgressBar>();
+  std::uint64_t steps_;
+  bool is_degenerate_ = false;
+};
+
+/// All branches side by side, or one of them.
 bool print_branches(const SweepOptions& options, const mechanism::Scene& scene,
                     const mechanism::Plan& plan) {
   const std::optional<int> chosen = options.nearest ? nearest_branch(scene.mechanism, scene.request)
                                                     : std::optional(options.branch);
-  const bool is_all = chosen == 0;
-  ProgressBar bar;
-  const auto steps = static_cast<std::uint64_t>(plan.request().sweep->count);
-  // Any event may join two circuits, so they are known at the end of a sweep only.
-  const mechanism::SweptPlaces places = swept_places(scene.mechanism, scene.request, [&](int done) {
-    bar.show(static_cast<std::uint64_t>(done), 2 * steps);
-  });
-  SweepOutput output(options, plan, places.circuits);
-  int last_branch = 0;
+  SweepOutput output(options, plan);
   bool has_row = false;
-  const auto record = [&](const mechanism::SweepRecord& row) {
-    last_branch = std::max(last_branch, row.branch);
-    if (is_all || (row.event.empty() && row.branch == chosen)) {
-      has_row = true;
-      output.add(row);
-    }
+  const auto is_wanted = [&](const mechanism::SweepRecord& row) {
+    const bool is_of_chosen = row.event.empty() && row.branch == chosen;
+    has_row = has_row || is_of_chosen;
+    return chosen == 0 || is_of_chosen;
   };
-  const auto judge = [&](double parameter, const mechanism::Solution& solution) {
-    output.judge(parameter, solution);
-  };
-  const auto step_done = [&](int done) {
-    bar.show(steps + static_cast<std::uint64_t>(done), 2 * steps);
-    if (done >= steps_before_rows && options.branch <= last_branch) {
-      output.release();
-    }
-  };
-  expect_branch(options, sweep(plan, {record, judge, step_done}));
-  const bool degenerate = output.finish();
+  expect_branch(options, sweep(plan, output.observer(is_wanted)));
+  const bool is_degenerate = output.finish();
   if (options.branch > 0 && !has_row) {
     remarks() << "branch " << options.branch
               << " has no row: at every step it is beyond the limits of joints, or breaks "
                  "redundant constraints\n";
   }
-  return degenerate;
+  return is_degenerate;
 }
 
 /// One branch among more than can be followed side by side: from the first step that has its
 /// configuration to where it ends.
 bool print_lone_branch(const SweepOptions& options, const mechanism::Plan& plan) {
-  const mechanism::Sweep& range = *plan.request().sweep;
-  ProgressBar bar;
-  SweepOutput output(options, plan, {});
-  const auto record = [&](const mechanism::SweepRecord& row) { output.add(row); };
-  const auto judge = [&](double parameter, const mechanism::Solution& solution) {
-    output.judge(parameter, solution);
-  };
-  const auto step_done = [&](int done) {
-    bar.show(static_cast<std::uint64_t>(done), static_cast<std::uint64_t>(range.count));
-    if (done >= steps_before_rows) {
-      output.release();
-    }
-  };
-  const auto end =
-      sweep_branch(plan, static_cast<std::size_t>(options.branch), {record, judge, step_done});
-  const bool degenerate = output.finish();
+  SweepOutput output(options, plan);
+  const auto end = sweep_branch(plan, static_cast<std::size_t>(options.branch),
+                                output.observer([](const auto&) { return true; }));
+  const bool is_degenerate = output.finish();
   if (end) {
-    remarks() << "the branch ends at " << plan.mechanism().parameters()[range.parameter].name
-              << " = " << shown_value(*end) << ": it folds there, or comes too close to another\n";
+    const mechanism::Mechanism& mechanism = plan.mechanism();
+    remarks() << "the branch ends at "
+              << mechanism.parameters()[plan.request().sweep->parameter].name << " = "
+              << shown_value(*end) << ": it folds there, or comes too close to another\n";
   }
-  return degenerate;
+  return is_degenerate;
 }
 
 }  // namespace

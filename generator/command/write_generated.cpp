@@ -1,4 +1,4 @@
-// Turns every model into the files of generated/, or into such files with functions on request.
+// Writes the headers of all models: write_generated DIRECTORY [WORD...].
 #include <iostream>
 
 #include "emission/model/emit.hpp"

@@ -60,7 +60,7 @@ GiNaC::ex time_derivative(const GiNaC::ex& function, const VariableList& variabl
   return along(&equations::Variable::rate, function, variables, vocabulary).expand();
 }
 
-/// What the second rates add to d(function)/dt of a function of the variables and of their rates.
+/// The part of d(function)/dt due to second rates, for a function of the variables and their rates.
 GiNaC::ex along_second_rates(const GiNaC::ex& function, const VariableList& variables) {
   GiNaC::ex total;
   for (const equations::Variable* variable : variables) {
@@ -69,8 +69,8 @@ GiNaC::ex along_second_rates(const GiNaC::ex& function, const VariableList& vari
   return total;
 }
 
-/// d(function)/dt of a function of the variables, and the part of d2(function)/dt2 that depends on
-/// first rates alone.
+/// d(function)/dt of a function of the variables, and the part of d2(function)/dt2 that depends
+/// only on first rates.
 struct TimeDerivatives {
   GiNaC::ex first;
   GiNaC::ex second_of_rates;
@@ -102,7 +102,7 @@ GiNaC::ex third_time_derivative(const GiNaC::ex& function, const TimeDerivatives
       .expand();
 }
 
-/// Derivatives of (x, y, theta) of every link by a rule for expressions and one for angles.
+/// Derivatives of (x, y, theta) of every link, by one rule for expressions and one for angles.
 ExpressionMatrix over_poses(const equations::ClosureEquations& equations,
                             const std::function<GiNaC::ex(const GiNaC::ex&)>& of_coordinate,
                             const std::function<GiNaC::ex(const equations::AngleSum&)>& of_angle) {

@@ -1,5 +1,4 @@
-// Turns loop-closure equations into their derivatives: Jacobian, sensitivities and time
-// derivatives.
+// Derivatives of loop-closure equations: Jacobian, sensitivities and time derivatives.
 #pragma once
 
 #include <vector>
@@ -36,7 +35,7 @@ struct Derivatives : ResidualDerivatives {
   ExpressionMatrix pose_curvature;           ///< d2p/dt2 for constant q', d', u', one row per link
 };
 
-/// df/dq alone.
+/// df/dq only.
 [[nodiscard]] ExpressionMatrix closure_jacobian(const equations::ImplicitEquations& equations);
 [[nodiscard]] ResidualDerivatives differentiate_residuals(
     const equations::ImplicitEquations& equations);

@@ -15,20 +15,20 @@ namespace {
 
 constexpr unsigned wanted_points = 4;
 constexpr unsigned most_draws = 100;
-/// A decimal counts as zero if this many digits have cancelled in the sum that gave it.
+/// A decimal counts as zero if this many digits cancelled in its sum.
 constexpr int digits_of_zero = 40;
 
 using Row = std::vector<GiNaC::numeric>;
 
-/// A value, and the size of the terms that it was summed from. A sum that differs from zero only by
-/// the rounding of roots is set to zero.
+/// A value, and the size of its terms if it is a sum. A sum that differs from zero only by the
+/// rounding of roots is set to zero.
 struct Sized {
   GiNaC::numeric value;
   GiNaC::numeric size;
 };
 using Values = std::map<GiNaC::ex, GiNaC::numeric, GiNaC::ex_is_less>;
 
-/// Whether a number counts as zero: an exact one only if it is zero, others if small beside `size`.
+/// Whether a number counts as zero: an exact one if it is zero, others if small beside `size`.
 bool is_nothing(const GiNaC::numeric& number, const GiNaC::numeric& size) {
   if (number.is_zero() || number.is_crational()) {
     return number.is_zero();
@@ -54,7 +54,7 @@ Sized measured(const GiNaC::ex& expression, const Values& values) {
     }
     return result;
   }
-  if (GiNaC::is_a<GiNaC::power>(expression)) {  // the exponent is whole, since roots have names
+  if (GiNaC::is_a<GiNaC::power>(expression)) {  // an integer power, since roots have names
     const auto exponent = GiNaC::ex_to<GiNaC::numeric>(expression.op(1));
     const Sized base = measured(expression.op(0), values);
     return {GiNaC::pow(base.value, exponent), GiNaC::pow(base.size, exponent)};
@@ -65,12 +65,12 @@ Sized measured(const GiNaC::ex& expression, const Values& values) {
   return {number, GiNaC::abs(number)};
 }
 
-/// What is demanded of the square roots at a random point.
+/// The requirement on the square roots at a random point.
 enum class Roots : unsigned char { real, any };
 
-/// Values of all variables and names; nothing where a denominator vanishes or a root is not as
-/// demanded. At odd seeds lengths are positive, since most roots are real there; at even seeds they
-/// are by turns of mixed signs and all negative.
+/// Values of all variables and names; empty where a denominator vanishes or a root violates the
+/// requirement. With odd seeds lengths are positive, since most roots are real there; with even
+/// seeds their signs are alternately mixed and all negative.
 std::optional<Values> random_point(const equations::ImplicitEquations& equations, unsigned seed,
                                    Roots roots) {
   equations::SeededNumbers random(seed);
@@ -102,7 +102,7 @@ std::optional<Values> random_point(const equations::ImplicitEquations& equations
   return values;
 }
 
-/// Divides rows, and then columns, by their largest entries, so that all of them count alike.
+/// Divides rows, and then columns, by their largest entries, so that all count alike.
 void balance(std::vector<Row>& rows, std::size_t columns) {
   const auto larger = [](const GiNaC::numeric& one, const GiNaC::numeric& other) {
     return GiNaC::abs(one) < GiNaC::abs(other) ? GiNaC::abs(other) : GiNaC::abs(one);
@@ -148,7 +148,7 @@ unsigned rank_of(std::vector<Row> rows, std::size_t columns) {
   return static_cast<unsigned>(rank);
 }
 
-/// The largest rank at a few random points; nothing if no such point is found.
+/// The largest rank at a few random points; empty if no such point is found.
 std::optional<unsigned> rank_at_points(const equations::ImplicitEquations& equations,
                                        const ExpressionMatrix& jacobian, Roots roots) {
   std::optional<unsigned> rank;
@@ -177,7 +177,7 @@ std::optional<unsigned> rank_at_points(const equations::ImplicitEquations& equat
 unsigned generic_rank(const equations::ImplicitEquations& equations,
                       const ExpressionMatrix& jacobian) {
   const equations::MoreDigits digits;
-  // Where roots are imaginary, sqrt(x)*sqrt(y) may be -sqrt(x*y), and dependent equations seem
+  // With imaginary roots, sqrt(x)*sqrt(y) may be -sqrt(x*y), and dependent equations seem
   // independent.
   if (const std::optional<unsigned> rank = rank_at_points(equations, jacobian, Roots::real)) {
     return *rank;

@@ -30,7 +30,7 @@ const equations::Variable& angle_to_solve_for(const equations::ClosureEquations&
   throw GeneratorError("mobility", equations.model->title(), "an angle condition without an angle");
 }
 
-/// Why angles are over-determined, for the verdict; empty if they are not.
+/// The reason why angles are over-determined, for the verdict; empty if they are not.
 std::string cause(const equations::ClosureEquations& equations) {
   if (equations.compatibility.empty()) {
     return "";

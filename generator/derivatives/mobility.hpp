@@ -1,4 +1,4 @@
-// Turns a model's equations into its verdict: the exact generic rank of the Jacobian decides.
+// Mobility of a model by the exact generic rank of its Jacobian.
 #pragma once
 
 #include <string>
@@ -8,18 +8,18 @@
 
 namespace assur::generator::derivatives {
 
-/// Whether a group is a structure once its external joints are held.
+/// The mobility of a group with its external joints held.
 struct Mobility {
   unsigned unknowns;
-  unsigned rank;     ///< generic rank of the Jacobian where the group is assembled
-  unsigned freedom;  ///< unknowns - rank: the mobility when it can be assembled
-  bool rigid;        ///< square, of full rank, and with angles that nothing over-determines
+  unsigned rank;     ///< generic rank of the Jacobian in assembled configurations
+  unsigned freedom;  ///< unknowns - rank: the mobility where it can be assembled
+  bool rigid;        ///< square, of full rank, and no angle is over-determined
   std::string reason;
 };
 
 /// Evaluates the Jacobian in rational numbers at random assembled configurations: the angles are
 /// random rational points of the circle, and the lengths solve the equations, which are linear in
-/// them. The rank at a point is never above the generic rank, so the largest of three is taken.
+/// them. The rank at a point never exceeds the generic rank, so the largest of three is taken.
 [[nodiscard]] Mobility mobility_of(const equations::ClosureEquations& equations,
                                    const ExpressionMatrix& jacobian);
 

@@ -36,7 +36,7 @@ std::vector<DerivedVariable> described(const std::deque<equations::Variable>& va
   return list;
 }
 
-/// Builds the derivation of one model in the order in which it is read.
+/// Builds the derivation of one model in reading order.
 class DerivationGatherer {
  public:
   DerivationGatherer(const structure::Model& model, const structure::Kind& kind)
@@ -299,8 +299,7 @@ class DerivationGatherer {
                : DerivedQuantity{name, definition, quantity.meaning, false};
   }
 
-  /// The quantities that expressions need, in the order of their definition, except those that were
-  /// given before.
+  /// The quantities that expressions need, in order of definition, except those shown before.
   std::vector<DerivedQuantity> newly_used(const equations::Vocabulary& vocabulary,
                                           const std::vector<GiNaC::ex>& used) {
     GiNaC::exset occurring;
@@ -326,7 +325,7 @@ class DerivationGatherer {
   std::set<std::string> given_;
 };
 
-/// The names of some angles, or t of each.
+/// A product of the names of some angles, or of t of each.
 std::string product_of(loops::AngleSet set, const std::vector<std::string>& names) {
   std::string product;
   for (std::size_t angle = 0; angle < names.size(); ++angle) {
@@ -337,8 +336,8 @@ std::string product_of(loops::AngleSet set, const std::vector<std::string>& name
   return product.empty() ? "1" : product;
 }
 
-/// The equation of a set of angles, `[e]` being the determinant of the column of e beside those
-/// that are eliminated.
+/// The equation of a set of angles; `[e]` is the determinant of the column of e beside those that
+/// are eliminated.
 std::string equation_of(const loops::Elimination& by, loops::AngleSet set,
                         const std::vector<std::string>& names) {
   const std::string& hidden = names[static_cast<std::size_t>(by.hidden)];

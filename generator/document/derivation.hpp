@@ -1,5 +1,4 @@
-// Turns every step of a model's derivation, from its graph to its final polynomial, into text that
-// the renderers lay out.
+// The derivation of a model as text, from its graph to its final polynomial, for the renderers.
 #pragma once
 
 #include <array>
@@ -21,12 +20,12 @@ struct DerivedVariable {
   std::string meaning;
 };
 
-/// A quantity that gets a name.
+/// A quantity with a name.
 struct DerivedQuantity {
   std::string name;
   std::string value;
   std::string meaning;
-  bool vanishes;  ///< zero wherever the group is assembled
+  bool vanishes;  ///< zero in every assembled configuration
 };
 
 /// One vector loop closure and its two components.
@@ -39,7 +38,7 @@ struct DerivedClosure {
 
 using TextMatrix = std::vector<std::vector<std::string>>;
 
-/// A matrix of the rows' derivatives by the columns' variables.
+/// A matrix of the derivatives of its rows with respect to the variables of its columns.
 struct DerivedMatrix {
   std::string name;
   std::vector<std::string> rows;
@@ -51,12 +50,12 @@ struct DerivedMatrix {
 struct DerivedPivot {
   std::string value;
   std::string zero;     ///< `CD = 0`, `a dead centre`
-  std::string meaning;  ///< what it means for the group
+  std::string meaning;  ///< its consequence for the group
 };
 
 /// The Jacobian in the frames of its loops, where its determinant is a product.
 struct DerivedDeterminant {
-  std::vector<DerivedQuantity> quantities;  ///< beside those of the closures
+  std::vector<DerivedQuantity> quantities;  ///< in addition to those of the closures
   DerivedMatrix framed;
   std::vector<DerivedPivot> pivots;
   std::string value;  ///< sign times product of the pivots
@@ -72,7 +71,7 @@ struct DerivedTerm {
 struct DerivedSeries {
   std::string name;
   std::string formula;
-  std::string base;  ///< what is raised to the powers: `w`, or the unknown
+  std::string base;  ///< the base of the powers: `w`, or the unknown
   std::vector<DerivedTerm> terms;
 };
 
@@ -85,7 +84,7 @@ struct DerivedStep {
   std::vector<DerivedSeries> series;
 };
 
-/// How an unknown follows from those known before it: the numerators over the denominator are a
+/// The formula of an unknown in those known before it: the numerators over the denominator are a
 /// displacement, or an angle's cosine and sine.
 struct DerivedBackSubstitution {
   std::string unknown;
@@ -99,13 +98,13 @@ struct DerivedElimination {
   std::vector<DerivedStep> steps;
   std::string unknown;
   bool is_angle;
-  std::string polynomial;  ///< in the coefficients that the steps name; zero at a configuration
+  std::string polynomial;  ///< in the coefficients named by the steps; zero at a configuration
   std::vector<DerivedBackSubstitution> back_substitution;
   std::size_t degree;
   std::size_t max_configurations;
 };
 
-/// The force of a joint, and of a slide its couple, on a link or on a neighbour of the group.
+/// The force of a joint, and the couple of a slide, on a link or on a neighbour of the group.
 struct DerivedReaction {
   std::string joint;
   std::string on;
@@ -113,34 +112,34 @@ struct DerivedReaction {
   std::string couple;  ///< empty for a revolute joint
 };
 
-/// The forces in the joints under given loads, by the elimination transposed.
+/// The joint forces under given loads, by the elimination transposed.
 struct DerivedForces {
-  /// Of each link: the names of x and y of the force that acts on it, and of the moment.
+  /// For each link: the names of x and y of the force on it, and of the moment.
   structure::LinkTable<std::array<std::string, 3>> loads;
-  std::vector<DerivedQuantity> generalised;  ///< the loads along the unknowns, and what is in them
-  std::vector<DerivedQuantity> multipliers;  ///< the forces in the cut joints, and what they need
-  std::vector<std::string> equations;        ///< J^T lambda + Q, which vanish
+  std::vector<DerivedQuantity> generalised;  ///< the loads along the unknowns, and their parts
+  std::vector<DerivedQuantity> multipliers;  ///< the forces in the cut joints, and their parts
+  std::vector<std::string> equations;        ///< J^T lambda + Q = 0
   std::vector<DerivedQuantity> reactions;    ///< the other forces, from the leaves to the base
   std::vector<DerivedQuantity> couples;
   std::vector<DerivedReaction> joints;      ///< on the second link of each joint
-  std::vector<DerivedReaction> neighbours;  ///< what the group passes on
-  program::OperationCount operations;       ///< all of them
-  program::OperationCount of_loads;         ///< those of the loads along the unknowns
+  std::vector<DerivedReaction> neighbours;  ///< on the neighbours of the group
+  program::OperationCount operations;       ///< of all formulas
+  program::OperationCount of_loads;         ///< of the loads along the unknowns
 };
 
-/// How the configurations of a group of more than four links are found: all angles but a hidden one
-/// are eliminated by determinants, and what is left is an eigenproblem.
+/// The elimination for a group of more than four links: all angles but a hidden one are eliminated
+/// by determinants, which leaves an eigenproblem.
 struct DerivedEigenproblem {
-  int configurations;                  ///< in complex numbers
-  std::string ground, hidden;          ///< the angles that the equations are written for
+  int configurations;                  ///< number of complex ones
+  std::string ground, hidden;          ///< the angles for which the equations are written
   std::size_t size, degree;            ///< of the matrix, and of its entries
   std::size_t choices;                 ///< of ground and hidden angle
-  std::vector<std::string> equations;  ///< a row each
+  std::vector<std::string> equations;  ///< one for each row
 };
 
 struct Derivation {
   const structure::Model* model;
-  structure::Kind kind;                      ///< the kind asked for
+  structure::Kind kind;                      ///< the requested kind
   structure::JointTable<std::string> roles;  ///< for each of its joints, the model's joint it plays
 
   structure::LinkTable<std::string> frames;  ///< of the links, in words
@@ -148,7 +147,7 @@ struct Derivation {
   std::vector<DerivedVariable> unknowns, dimensions, inputs;
   std::vector<DerivedQuantity> quantities;
   std::vector<DerivedClosure> closures;
-  std::vector<std::string> compatibility;  ///< sums of angles that must vanish
+  std::vector<std::string> compatibility;  ///< sums of angles that must be zero
   DerivedMatrix jacobian, dimension_jacobian, input_jacobian;
   std::vector<std::string> velocity_rhs, acceleration_rhs;
 
@@ -162,10 +161,10 @@ struct Derivation {
   std::optional<DerivedEigenproblem> eigenproblem;  ///< of a group of more than four links
 };
 
-/// The derivation of the model that `kind` belongs to.
+/// The derivation of the model of `kind`.
 [[nodiscard]] Derivation derive(const structure::Group& group, const structure::Kind& kind);
-/// That of a group of more than four links with so many complex configurations, and the ways to
-/// them, the first of which is written out.
+/// The derivation of a group of more than four links with this number of complex configurations,
+/// and the eliminations that find them, of which the first is written out.
 [[nodiscard]] Derivation derive(const structure::Model& model, int configurations,
                                 const std::vector<loops::Elimination>& eliminations);
 

@@ -167,7 +167,7 @@ class DocumentBuilder {
                     from_.acceleration_rhs);
   }
 
-  /// A matrix of derivatives. Its longest entries get names where a row would not fit on a line.
+  /// A matrix of derivatives. Its longest entries get names if a row would not fit on a line.
   void add_fitting(DerivedMatrix matrix) {
     constexpr std::size_t longest_row = 96;
     Definitions named;

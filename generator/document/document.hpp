@@ -1,5 +1,4 @@
-// Turns a derivation into a document in reading order: sections of prose, tables and numbered
-// formulas, for the renderers to lay out.
+// A derivation as a document: sections of prose, tables and numbered formulas in reading order.
 #pragma once
 
 #include <string>
@@ -28,28 +27,28 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// Quantities that get a name.
+/// Quantities with names.
 struct Definitions {
   std::vector<DerivedQuantity> quantities;
 };
 
-/// Symbols that stand for numbers which are given.
+/// Symbols for given numbers.
 struct Given {
   std::vector<std::string> names;
   std::string meaning;
 };
 
-/// A numbered formula that vanishes.
+/// A numbered formula that is zero.
 struct Equation {
   int number;
   std::string value;
 };
 
-/// A numbered formula for reading.
+/// A numbered formula.
 struct Formula {
   int number;
   std::string text;
-  bool vectors = false;  ///< its names are those of vectors
+  bool vectors = false;  ///< its names denote vectors
 };
 
 /// A numbered scalar loop closure, name = value = 0.
@@ -76,7 +75,7 @@ struct Section {
 
 struct Document {
   std::string title;
-  std::string kind;        ///< for which the equations are derived
+  std::string kind;        ///< the kind for which the equations are derived
   bool is_audited = true;  ///< whether `assur audit` reads its statements
   std::vector<Section> sections;
 };

@@ -65,7 +65,7 @@ std::string FormulaWriter::operator()(const GiNaC::ex& expression) const {
   if (terms.empty()) {
     return "0";
   }
-  // A positive term first reads better than a sign in front.
+  // A positive term comes first, so that no sign is in front.
   const auto positive =
       std::find_if(terms.begin(), terms.end(), [](const Term& each) { return !each.negative; });
   if (positive != terms.end()) {

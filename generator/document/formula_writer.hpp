@@ -1,4 +1,4 @@
-// Turns polynomials into formulas in the syntax of scene files, the same in every process.
+// Prints polynomials in the syntax of scene files, the same in every process.
 #pragma once
 
 #include <map>
@@ -9,20 +9,20 @@
 
 namespace assur::generator::document {
 
-/// Writes expressions in the symbols of a model: `2*BC*cos(theta_BCG) - x_B`. Terms and factors
-/// are in the order of the symbols' declaration, lengths before directions before rates.
+/// Prints expressions in the symbols of a model: `2*BC*cos(theta_BCG) - x_B`. Terms and factors are
+/// in order of declaration, lengths before directions before rates.
 class FormulaWriter {
  public:
   explicit FormulaWriter(const equations::ClosureEquations& equations);
 
-  /// Ranks one more symbol, behind all others; it is written by its name.
+  /// Ranks one more symbol after all others; it is printed by its name.
   void declare(const GiNaC::symbol& symbol) { order_.declare(symbol); }
   [[nodiscard]] std::string operator()(const GiNaC::ex& expression) const;
 
  private:
   struct Spelled {
     std::string text;
-    int place;  ///< where in a product: lengths and quantities 0, directions 1, rates 2
+    int place;  ///< position in a product: lengths and quantities 0, directions 1, rates 2
   };
 
   [[nodiscard]] Spelled spelled(program::SymbolRank rank) const;

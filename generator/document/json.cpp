@@ -1,3 +1,4 @@
+// Renders a derivation as JSON.
 #include <assur/text/json.hpp>
 
 #include "document/render.hpp"

@@ -1,4 +1,4 @@
-// Turns a derivation into a LaTeX document.
+// Renders a derivation as a LaTeX document.
 #include <algorithm>
 #include <assur/text/names.hpp>
 #include <vector>
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double text_width = 44;  ///< in ems
 
-// Formulas are paragraphs in math mode, which TeX breaks before signs where they are too long for
-// a line.
+// Formulas are paragraphs in math mode, which TeX breaks before signs if they are too long for a
+// line.
 const std::string preamble = R"(\documentclass[10pt,a4paper]{article}
 \usepackage{amsmath}
 \usepackage[margin=22mm]{geometry}
@@ -87,7 +87,7 @@ class LatexRenderer {
     text_ += "\\end{tabular}\\par\\medskip\n";
   }
 
-  /// A column whose cells are broken at a width.
+  /// A column whose cells are broken at a given width.
   static std::string paragraph(double width) {
     return "p{" + std::to_string(static_cast<int>(std::max(width, 8.0))) + "em}";
   }
@@ -120,7 +120,7 @@ class LatexRenderer {
     numbered(latex_formula(closure.name + " = " + closure.value + " = 0"), closure.number);
   }
 
-  /// A matrix as an array where it fits, or else a column per line.
+  /// A matrix as an array if it fits, else one column per line.
   void show(const MatrixDisplay& display) {
     const DerivedMatrix& matrix = display.matrix;
     double width = display.derivatives ? 7 : 11;

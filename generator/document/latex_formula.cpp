@@ -11,7 +11,7 @@ namespace {
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-/// Goes through a formula token by token.
+/// Reads a formula token by token.
 class FormulaReader {
  public:
   FormulaReader(const std::string& text, bool vectors) : text_(text), vectors_(vectors) {}
@@ -68,7 +68,7 @@ class FormulaReader {
     latex_ += parts.head + exponent() + parts.tail;
   }
 
-  /// A function's argument stands without brackets where it is one name.
+  /// The argument of a function has no brackets if it is one name.
   void function(const std::string& latex) {
     const std::size_t close = text_.find(')', at_);
     const std::string argument = text_.substr(at_ + 1, close - at_ - 1);
@@ -92,7 +92,7 @@ class FormulaReader {
     latex_ += digits;
   }
 
-  /// `^{2}` if an exponent stands here, or nothing.
+  /// `^{2}` if there is an exponent here, else empty.
   std::string exponent() {
     if (at_ >= text_.size() || text_[at_] != '^') {
       return "";

@@ -1,4 +1,4 @@
-// Names such as `theta_BCG` or `BC_x` in LaTeX.
+// LaTeX for names such as `theta_BCG` or `BC_x`.
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -28,7 +28,7 @@ std::vector<std::string> split(const std::string& text, const std::string& separ
   return parts;
 }
 
-/// `{\mathit{BCG},x}` from the parts of a name after its head.
+/// `{\mathit{BCG},x}` from the parts of a name after the first.
 std::string subscript(const std::vector<std::string>& parts, std::size_t from) {
   std::string text;
   for (std::size_t at = from; at < parts.size(); ++at) {
@@ -79,8 +79,8 @@ LatexName component_name(const std::string& turning, const std::string& sign,
   return {"v_{" + angle_of(turning) + "}" + "^{" + sign + seen + "}", ""};
 }
 
-/// `force_along_CD` and `F_along_CD_x`: a part of the force in the joint that closes a loop, and a
-/// component of it.
+/// `force_along_CD` and `F_along_CD_x`: a part of the force in the joint that closes a loop, and
+/// one of its components.
 LatexName force_part(const std::string& head, const std::string& sign, const std::string& frame) {
   const bool is_component = head == "F";
   const std::string of = is_component ? frame.substr(0, frame.size() - 2) : frame;

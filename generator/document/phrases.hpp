@@ -1,4 +1,4 @@
-// Turns lists, counts and series of a derivation into phrases and formulas.
+// Phrases and formulas for lists, counts and series of a derivation.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace assur::generator::document {
 
 /// `U = P1*C2 - P2*C1 = (U_0_re + i*U_0_im) + ...`.
 [[nodiscard]] std::string series_text(const DerivedSeries& series);
-/// The formula in brackets where it is a sum.
+/// The formula, in brackets if it is a sum.
 [[nodiscard]] std::string bracketed(const std::string& formula);
 /// A clause with a capital letter and a full stop.
 [[nodiscard]] std::string sentence(std::string text);

@@ -1,4 +1,4 @@
-// Turns a derivation into an annotated audit file, a LaTeX document, or JSON.
+// Renders a derivation as an annotated audit file, a LaTeX document, or JSON.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace assur::generator::document {
 
-/// Text that is also an audit file: names, closures and matrices are its statements, all else its
+/// Text that is also an audit file: names, closures and matrices are statements, everything else
 /// comments.
 [[nodiscard]] std::string derivation_text(const Derivation& derivation);
 /// A complete LaTeX document.

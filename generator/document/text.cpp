@@ -1,4 +1,4 @@
-// Turns a derivation into text that is also an audit file.
+// Renders a derivation as text that is also an audit file.
 #include <algorithm>
 #include <assur/text/names.hpp>
 #include <sstream>
@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::size_t line_width = 100;
 
-/// A line broken at spaces, or before a factor where a product is too long; every line but the
-/// first begins with `lead`.
+/// A line broken at spaces, or before a factor if a product is too long; every line after the first
+/// begins with `lead`.
 std::string broken(const std::string& line, const std::string& lead) {
   std::string text;
   std::string rest = line;
   while (rest.size() > line_width) {
     std::size_t at = rest.rfind(' ', line_width);
-    // A sign stays with the term that follows it.
+    // A sign stays with the term after it.
     while (at != std::string::npos && at > lead.size() &&
            std::string("+-").find(rest[at - 1]) != std::string::npos && rest[at - 2] == ' ') {
       at = rest.rfind(' ', at - 1);
@@ -39,7 +39,7 @@ std::string broken(const std::string& line, const std::string& lead) {
   return text + rest + "\n";
 }
 
-/// Prose without the marks of its formulas.
+/// Prose without backquotes.
 std::string plain(std::string text) {
   std::erase(text, '`');
   return text;

@@ -51,7 +51,7 @@ class BezoutElimination {
     step.vocabulary_size = result_.vocabulary.quantities().size();
     result_.record.push_back(std::move(step));
   }
-  /// What stands for the first unknown x in a series: `w = exp(i x)`, or x itself.
+  /// The variable of a series in the first unknown x: `w = exp(i x)`, or x itself.
   [[nodiscard]] std::string base() const {
     const std::string& name = result_.first->name;
     return result_.first->is_angle() ? "powers of `w = exp(i " + name + ")`" : "powers of " + name;
@@ -102,8 +102,8 @@ class BezoutElimination {
             {result_.second}};
   }
 
-  /// A cos z + B sin z + C = 0 with P = A - i B is P e + 2 C + conj(P) / e = 0 for e = exp(i z).
-  /// Two of them have a common root where |P1 C2 - P2 C1|^2 = (Im P1 conj(P2))^2.
+  /// With P = A - i B and e = exp(i z), A cos z + B sin z + C = 0 is P e + 2 C + conj(P) / e = 0.
+  /// Two such equations have a common root where |P1 C2 - P2 C1|^2 = (Im P1 conj(P2))^2.
   Univariate of_angle(const std::array<Univariate, 3>& one, const std::array<Univariate, 3>& two) {
     const ComplexExpression minus_i{0, -1};
     const auto leading = [&](const std::array<Univariate, 3>& row, const std::string& number) {
@@ -195,7 +195,7 @@ class BezoutElimination {
     return ac * ac - ab * bc;
   }
 
-  /// Reads the real coefficients off and finds the generic degree by exact evaluation.
+  /// Extracts the real coefficients and finds the generic degree by exact evaluation.
   void read_off(const Univariate& polynomial) {
     const bool trigonometric = result_.first->is_angle();
     for (int power = 0; power <= polynomial.degree(); ++power) {
@@ -251,7 +251,7 @@ Elimination eliminate(const equations::ClosureEquations& equations) {
     choices = {{remaining[0], nullptr}};
   } else {
     choices = {{remaining[0], remaining[1]}};
-    // Of an angle and a displacement the angle stays: the displacement is simpler to eliminate.
+    // Of an angle and a displacement the angle remains: the displacement is simpler to eliminate.
     if (remaining[0]->is_angle() == remaining[1]->is_angle()) {
       choices.emplace_back(remaining[1], remaining[0]);
     }

@@ -27,7 +27,7 @@ void RecordedStep::record_equation(const std::string& name, const GiNaC::ex& val
 
 namespace {
 
-/// `*x^2`, or nothing for the power zero.
+/// `*x^2`; empty for the power zero.
 std::string times_power(const std::string& base, std::size_t power) {
   return power == 0 ? "" : power == 1 ? "*" + base : "*" + base + "^" + std::to_string(power);
 }

@@ -1,4 +1,4 @@
-// The steps of an elimination, for people to read and to check.
+// The steps of an elimination, as records for readers and checks.
 #pragma once
 
 #include <array>
@@ -9,18 +9,18 @@
 
 namespace assur::generator::elimination {
 
-/// A quantity that a step introduces beside the names of the vocabulary.
+/// A quantity that a step introduces besides the names of the vocabulary.
 struct RecordedQuantity {
   GiNaC::symbol symbol;
   GiNaC::ex value;
   std::string meaning;
-  bool vanishes = false;  ///< zero wherever the group is assembled
+  bool vanishes = false;  ///< zero in every assembled configuration
 };
 
 /// A polynomial in the final unknown that a step introduces.
 struct RecordedSeries {
   std::string name;
-  std::string formula;  ///< what it is in earlier quantities: `P1*C2 - P2*C1`
+  std::string formula;  ///< in earlier quantities: `P1*C2 - P2*C1`
   Univariate value;
 };
 
@@ -29,32 +29,32 @@ struct RecordedStep {
   std::string title;                  ///< `BCDEB squared: free of theta_CD`
   std::string rule;                   ///< why the step is allowed; formulas in backquotes
   std::vector<std::string> formulas;  ///< the rule in symbols, in the syntax of scene files
-  std::vector<const equations::Variable*> eliminated;  ///< the unknowns that no later step contains
+  std::vector<const equations::Variable*> eliminated;  ///< no later step contains them
   std::vector<RecordedQuantity> quantities = {};
   std::vector<RecordedSeries> series = {};
-  std::size_t vocabulary_size = 0;  ///< how many names there are once the step is done
+  std::size_t vocabulary_size = 0;  ///< number of names after the step
 
-  /// Records a quantity and returns its symbol, in which later quantities are written.
+  /// Records a quantity and returns its symbol, which later quantities may use.
   GiNaC::symbol record(const std::string& name, const GiNaC::ex& value, const std::string& meaning);
-  /// Records both components of a vector, except those that are plain already.
+  /// Records both components of a vector, except those that need no name.
   equations::Vector2 record(const std::string& name, const equations::Vector2& value,
                             const std::string& meaning);
   /// Records an equation, value = 0.
   void record_equation(const std::string& name, const GiNaC::ex& value, const std::string& meaning);
 };
 
-/// Two equations as polynomials in `second`, with coefficients that contain no unknown but `first`.
+/// Two equations as polynomials in `second`, with coefficients in no unknown but `first`.
 [[nodiscard]] RecordedStep ordered_by_second(const std::vector<std::array<GiNaC::ex, 3>>& equations,
                                              const equations::Variable& second,
                                              const equations::Variable& first);
 
 /// The coefficients of the final polynomial; its only formula is the polynomial in their names.
-/// Above its degree, up to `formal_degree`, coefficients were found to vanish.
+/// Above its degree, up to `formal_degree`, the coefficients vanish.
 [[nodiscard]] RecordedStep final_coefficients(const std::vector<equations::Vector2>& polynomial,
                                               const equations::Variable& unknown,
                                               std::size_t formal_degree);
 
-/// (1 + t^2)^n T with cos kx + i sin kx = ((1 + i t)^2 / (1 + t^2))^k, t = tan(x/2), from the
+/// (1 + t^2)^n T with cos kx + i sin kx = ((1 + i t)^2 / (1 + t^2))^k, t = tan(x/2), in the
 /// quantities of `final_coefficients`.
 [[nodiscard]] RecordedStep half_angle_form(const std::vector<RecordedQuantity>& coefficients,
                                            const equations::Variable& unknown);

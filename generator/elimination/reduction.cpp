@@ -78,7 +78,7 @@ class LoopReduction {
     step.vocabulary_size = vocabulary_.quantities().size();
     result_.record.push_back(std::move(step));
   }
-  /// `g1`, `g2`: the name of the equation that was found last.
+  /// `g1`, `g2`: the name of the last equation.
   [[nodiscard]] std::string equation_name() const {
     return "g" + std::to_string(result_.equations.size());
   }
@@ -122,7 +122,7 @@ class LoopReduction {
     finish(std::move(step));
   }
 
-  /// Unknown angles, or else displacements, that occur in this loop and in no other.
+  /// Unknown angles, or else displacements, that occur only in this loop.
   [[nodiscard]] std::vector<const equations::Variable*> own_unknowns(const LoopVector& loop,
                                                                      bool angles) const {
     std::vector<const equations::Variable*> own;
@@ -140,7 +140,7 @@ class LoopReduction {
 
   void reduce_loop(const LoopVector& loop) {
     const std::vector<const equations::Variable*> slides = own_unknowns(loop, false);
-    // If two displacements are the only unknowns, one of them stays for the final polynomial.
+    // If two displacements are the only unknowns, one remains for the final polynomial.
     if (slides.size() == 2 && equations_.unknowns.size() > 2) {
       solve_two_slides(loop, *slides[0], *slides[1]);
     } else if (!slides.empty()) {
@@ -150,7 +150,7 @@ class LoopReduction {
     }
   }
 
-  /// Loop . normal = 0 is free of the displacement; loop . direction = 0 gives it back.
+  /// Loop . normal = 0 is free of the displacement, which follows from loop . direction = 0.
   void project(const LoopVector& loop, const equations::Variable& slide) {
     const equations::Vector2 along = direction(loop.closure, slide);
     const equations::Vector2 rest = without(loop.closure, slide);
@@ -199,7 +199,7 @@ class LoopReduction {
     finish(std::move(step));
   }
 
-  /// |rest|^2 - |v|^2 = 0 where the loop is rest + R(theta) v and theta occurs nowhere else.
+  /// |rest|^2 - |v|^2 = 0, where the loop is rest + R(theta) v and theta occurs nowhere else.
   void square(const LoopVector& loop) {
     for (const equations::Variable* angle : own_unknowns(loop, true)) {
       const equations::Vector2 vector{loop.closure.x.diff(angle->cosine),

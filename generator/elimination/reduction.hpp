@@ -1,5 +1,5 @@
-// Turns loop closures into one or two scalar equations in the unknowns that cannot be projected or
-// squared away, and into the formulas that give the others back.
+// Reduces loop closures, by projecting and squaring, to one or two scalar equations, with formulas
+// for the eliminated unknowns.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace assur::generator::elimination {
 
-/// How an unknown follows once the remaining unknowns are known. The values are numerators; each is
-/// divided by the denominator, whose zero is a degeneracy of the group.
+/// The formula of an unknown in the remaining unknowns: numerators, each over the denominator,
+/// whose zeros are degeneracies of the group.
 struct BackSubstitution {
   const equations::Variable* unknown;
   std::vector<GiNaC::ex> numerators;  ///< a displacement's value; an angle's cosine and sine
   GiNaC::ex denominator;              ///< one, or an expression that must not vanish
-  std::string degeneracy;             ///< what the vanishing of the denominator means
+  std::string degeneracy;             ///< the meaning of a zero denominator
 };
 
 /// The reduced system. All expressions are polynomials in variables, with the last external joint
@@ -24,7 +24,7 @@ struct Reduction {
   std::vector<GiNaC::ex> equations;                   ///< as many as `remaining`
   std::vector<const equations::Variable*> remaining;  ///< angles first
   std::vector<BackSubstitution> steps;
-  std::vector<RecordedStep> record;  ///< how the equations came about
+  std::vector<RecordedStep> record;  ///< the derivation of the equations
 };
 
 /// `vocabulary` receives the names of the reduced quantities, such as `EB_x`.

@@ -1,5 +1,5 @@
-// Turns powers of one unknown with expressions as coefficients into polynomials, which are Laurent
-// polynomials in exp(i x) for an angle x and plain ones for a displacement.
+// Polynomials in one unknown with symbolic coefficients: Laurent polynomials in exp(i x) for an
+// angle x, ordinary ones for a displacement.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace assur::generator::elimination {
 
-/// A complex number of two real expressions.
+/// A complex number whose parts are real expressions.
 struct ComplexExpression {
   GiNaC::ex re;
   GiNaC::ex im;
@@ -31,7 +31,7 @@ class Univariate {
     return coefficients_;
   }
   [[nodiscard]] ComplexExpression at(int power) const;
-  /// Largest power with a coefficient that is not zero; -1 for the zero polynomial.
+  /// Largest power with a nonzero coefficient; -1 for the zero polynomial.
   [[nodiscard]] int degree() const;
   [[nodiscard]] bool is_zero() const { return coefficients_.empty(); }
   /// The conjugate on the unit circle: coefficient[-k] of the result is conj(coefficient[k]).

@@ -24,7 +24,7 @@ Vector2 rotated(const Vector2& direction, const Vector2& local) {
 }
 bool is_zero(const Vector2& vector) { return vector.x.is_zero() && vector.y.is_zero(); }
 
-/// A place that a walk reaches: its position, and the names of the vectors walked, for reading.
+/// A point reached by a walk: its position, and the names of the vectors walked.
 struct Place {
   Vector2 position;
   std::vector<std::string> vectors;
@@ -95,7 +95,7 @@ class ClosureWalk {
     }
   }
 
-  /// The direction of a joint's line as one of its links sees it.
+  /// The direction of a joint's line on one of its links.
   [[nodiscard]] AngleSum line_angle(JointIndex index, LinkIndex link) {
     if (link == structure::base_link) {
       return AngleSum(find(result_.inputs, "phi_" + letter(index)));
@@ -105,13 +105,13 @@ class ClosureWalk {
 
   /// Gives every link its angle: first the links that the base holds by prismatic joints, then,
   /// from each link still free, one unknown angle and the links that turn with it. A prismatic
-  /// joint between links whose angles are already tied is a condition of compatibility.
+  /// joint between links with related angles is a compatibility condition.
   void merge_angles() {
     result_.poses.resize(group_.links().size());
     structure::LinkTable<bool> tied(group_.links().size(), false);
     structure::JointTable<bool> crossed(group_.joints().size(), false);
     const auto is_tied = [&](LinkIndex link) { return link == structure::base_link || tied[link]; };
-    // Ties one more link by the first joint that can; returns false if none can.
+    // Ties one more link by the first joint that can tie it; returns false if there is none.
     const auto tie_one = [&] {
       for (const JointIndex index : crossed.keys()) {
         const structure::Joint& at = joint(index);
@@ -176,7 +176,7 @@ class ClosureWalk {
   /// The vector by which a joint's slide moves its second link against its first.
   Vector2 slide(JointIndex index) {
     const LinkIndex first = joint(index).first;
-    // Either link gives the direction; the shorter sum of angles reads better.
+    // Either link gives the direction; the shorter sum of angles is easier to read.
     const bool first_is_plain =
         first == structure::base_link || frame(first).feature_of(index).direction.text() == "0";
     const AngleSum angle = line_angle(index, first_is_plain ? first : joint(index).second);
@@ -255,7 +255,7 @@ class ClosureWalk {
       for (const std::string& vector : near.vectors) {
         equation += equation.empty() ? vector.substr(2) : " " + vector;
       }
-      std::ranges::reverse(far.vectors);  // the way back along the loop
+      std::ranges::reverse(far.vectors);  // the way back around the loop
       for (const std::string& vector : far.vectors) {
         equation += (vector[0] == '+' ? " - " : " + ") + vector.substr(2);
       }

@@ -1,4 +1,4 @@
-// Turns a kinematic model into its loop-closure equations by walking the loops of its graph.
+// Loop-closure equations of a kinematic model, by walking the loops of its graph.
 #pragma once
 
 #include <string>
@@ -10,28 +10,28 @@
 
 namespace assur::generator::equations {
 
-/// One vector loop-closure equation: both walks to the chord joint reach the same place.
+/// One vector loop-closure equation: both walks to the chord joint reach the same point.
 struct LoopClosure {
   std::string name;             ///< `BCDEB`
   structure::JointIndex chord;  ///< the joint that closes the loop
-  std::string equation;         ///< `B + BC + CD - ED - E = 0`, for reading
+  std::string equation;         ///< `B + BC + CD - ED - E = 0`, as text
   Vector2 residual;             ///< in the names of the vocabulary
 };
 
-/// Where a link's frame is: its origin, and its angle as a sum of angles.
+/// The frame of a link: its origin, and its angle as a sum of angles.
 struct LinkPose {
   Vector2 origin;
   AngleSum angle;
   Vector2 direction;  ///< (cos, sin) of `angle` in the names of the vocabulary
 };
 
-/// The link whose angle an unknown is, or the joint whose displacement it is.
+/// The link of an unknown angle, or the joint of an unknown displacement.
 using Owner = std::variant<structure::LinkIndex, structure::JointIndex>;
 
-/// A prismatic joint by which a link got its angle from another one, or from the base.
+/// A prismatic joint by which a link's angle follows from that of another one, or of the base.
 struct AngleTie {
   structure::JointIndex joint;
-  structure::LinkIndex link;  ///< the one that is tied
+  structure::LinkIndex link;  ///< the link whose angle follows
 };
 
 /// The loop-closure equations of a model. Angles that prismatic joints tie together are merged, so
@@ -50,7 +50,7 @@ struct ClosureEquations : ImplicitEquations {
   structure::JointTable<Vector2> slide_directions;
   std::vector<LoopClosure> loops;
   /// Sums of angles that must vanish because prismatic joints alone close a loop. They contain no
-  /// unknown, so a model that has such a sum over-determines its angles.
+  /// unknown, so a model with such a sum has over-determined angles.
   std::vector<AngleSum> compatibility;
 };
 

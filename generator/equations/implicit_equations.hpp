@@ -1,4 +1,4 @@
-// Turns named variables and residuals into equations f(q, d, u) = 0 of a group or of any closure.
+// Implicit equations f(q, d, u) = 0 of a group or of any closures, in named variables.
 #pragma once
 
 #include <deque>
@@ -9,8 +9,8 @@
 
 namespace assur::generator::equations {
 
-/// Scalar equations f(q, d, u) = 0 with unknowns q, dimensions d, which are held, and inputs u,
-/// which may move. Non-copyable, because angle sums and derivations point to the variables.
+/// Scalar equations f(q, d, u) = 0 with unknowns q, constant dimensions d, and inputs u, which may
+/// move. Non-copyable, because angle sums and derivations point to the variables.
 struct ImplicitEquations {
   ImplicitEquations() = default;
   ImplicitEquations(const ImplicitEquations&) = delete;
@@ -23,7 +23,7 @@ struct ImplicitEquations {
   std::deque<Variable> dimensions;
   std::deque<Variable> inputs;
   std::vector<GiNaC::ex> residuals;  ///< in the names of the vocabulary
-  std::string residuals_meaning;     ///< one phrase for people
+  std::string residuals_meaning;     ///< one descriptive phrase
   Vocabulary vocabulary;
 };
 

@@ -18,7 +18,7 @@ const Feature& LinkFrame::feature_of(structure::JointIndex joint) const {
 
 namespace {
 
-/// The frame of a link whose axes keep their directions, as `LinkForm` of the library has it.
+/// The frame of a link that keeps the axes of the scene, as in the library's `LinkForm`.
 LinkFrame free_frame(const structure::Model& model, structure::LinkIndex link,
                      const DeclareDimension& new_dimension) {
   const structure::Group& group = *model.group;

@@ -1,4 +1,4 @@
-// Turns the joints of one link into its normal form: a local frame and the fewest dimensions.
+// Normal form of a link: a local frame and the smallest number of dimensions.
 #pragma once
 
 #include <functional>
@@ -21,8 +21,8 @@ struct Feature {
 
 /// The normal form of a link. The x-axis runs along the first prismatic joint, or else from the
 /// first revolute joint to the second; the origin is the first revolute joint, or else the
-/// intersection of the first two lines. A link of k joints has 2k - 3 dimensions left. The links of
-/// a group that is not known by name keep the axes of the scene and have one or two more.
+/// intersection of the first two lines. A link of k joints has 2k - 3 remaining dimensions. The
+/// links of a group without a name keep the axes of the scene and have one or two more.
 struct LinkFrame {
   std::vector<Feature> features;  ///< in the order of the link's word
   std::string description;        ///< `origin at B, x-axis toward C`

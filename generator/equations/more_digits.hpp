@@ -1,14 +1,14 @@
-// Turns the evaluation of roots into one with more decimal digits.
+// Raises the number of decimal digits in numeric evaluation.
 #pragma once
 
 #include <ginac/ginac.h>
 
 namespace assur::generator::equations {
 
-/// The number of digits with which values are compared where roots make them decimals.
+/// The number of digits for comparing values that are decimals because of roots.
 inline constexpr int decimal_digits = 60;
 
-/// Raises the number of digits of evaluation for as long as it lives.
+/// Raises the number of digits of evaluation during its lifetime.
 class MoreDigits {
  public:
   explicit MoreDigits(int digits = decimal_digits) : before_(GiNaC::Digits) {

@@ -1,4 +1,4 @@
-// Turns a seed into rational numbers and rational points of the circle, the same on every machine.
+// Random rational numbers and points of the unit circle, equal on every machine for equal seeds.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -9,7 +9,7 @@
 
 namespace assur::generator::equations {
 
-/// Random numbers by a fixed seed, one after the other.
+/// Random numbers from a fixed seed, one after the other.
 class SeededNumbers {
  public:
   explicit SeededNumbers(unsigned seed) : engine_(seed) {}
@@ -28,7 +28,7 @@ class SeededNumbers {
   }
 
  private:
-  // Compilers differ in which operand of a quotient they compute first, so each has its statement.
+  // Compilers evaluate the operands of a quotient in different orders, so each has its statement.
   GiNaC::numeric quotient(int low, int high) {
     const GiNaC::numeric divisor = integer(1, 30);
     const GiNaC::numeric dividend = integer(low, high);

@@ -1,11 +1,11 @@
-// Turns an expression into the set of the symbols that occur in it.
+// The set of symbols in an expression.
 #pragma once
 
 #include <ginac/ginac.h>
 
 namespace assur::generator::equations {
 
-/// It takes one walk through the expression, where `has` takes one for each symbol.
+/// One walk through the expression finds all; `has` takes one walk for each symbol.
 [[nodiscard]] GiNaC::exset symbols_of(const GiNaC::ex& expression);
 
 }  // namespace assur::generator::equations

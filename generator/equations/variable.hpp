@@ -1,4 +1,4 @@
-// Turns the names of unknowns, link dimensions and inputs into symbols that can be differentiated.
+// Variables of equations: symbols of unknowns, link dimensions and inputs with their rates.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -16,7 +16,7 @@ struct Vector2 {
   GiNaC::ex y;
 };
 
-/// A scalar or an angle. An angle never occurs bare: equations hold its cosine and sine as two
+/// A length or an angle. An angle never occurs itself: equations contain its cosine and sine as two
 /// symbols, so that every equation is a polynomial and exact at rational points of the circle.
 struct Variable {
   enum class Quantity : unsigned char { length, angle };
@@ -29,7 +29,7 @@ struct Variable {
 
   std::string name;     ///< `theta_BCG`, `s_C`, `BC`, `x_B`: an identifier of the emitted code
   Quantity quantity;    ///< a length in the user's unit, or an angle in radians
-  std::string meaning;  ///< one phrase for people
+  std::string meaning;  ///< one descriptive phrase
   GiNaC::symbol value;  ///< for a length
   GiNaC::symbol size;   ///< |value|, for bounds
   GiNaC::symbol cosine, sine;  ///< for an angle
@@ -43,7 +43,7 @@ using VariableList = std::vector<const Variable*>;
 /// d(expression)/d(variable), where for an angle d cos = -sin and d sin = cos.
 [[nodiscard]] GiNaC::ex partial(const GiNaC::ex& expression, const Variable& variable);
 
-/// A formal sum of angles, kept as such so that an angle cancels before it becomes cosines.
+/// A formal sum of angles, in which angles can cancel before the sum becomes cosines and sines.
 class AngleSum {
  public:
   AngleSum() = default;

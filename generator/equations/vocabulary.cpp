@@ -155,7 +155,7 @@ GiNaC::ex Vocabulary::recognise(const GiNaC::ex& expression) const {
   }
   const GiNaC::ex negated = (-expanded).expand();
   for (const NamedQuantity& quantity : quantities_) {
-    // Expanded polynomials are in a normal form, so that equal ones look alike.
+    // Expanded polynomials are in normal form, so that equal ones are identical.
     if (quantity.form == Form::itself && quantity.expanded.is_equal(expanded)) {
       return quantity.symbol;
     }

@@ -20,8 +20,8 @@ GiNaC::ex dot(const Vector2& left, const Vector2& right) {
   return left.x * right.x + left.y * right.y;
 }
 
-/// Builds the equations in the order in which they are solved: loads, cut joints, the other joints
-/// from the leaves to the base, couples.
+/// Builds the equations in the order of solution: loads, cut joints, the other joints from the
+/// leaves to the base, couples.
 class ForceWalk {
  public:
   ForceWalk(const equations::ClosureEquations& equations,
@@ -65,7 +65,7 @@ class ForceWalk {
   [[nodiscard]] int side(JointIndex index, LinkIndex link) const {
     return joint(index).second == link ? 1 : -1;
   }
-  /// The expression under a name of its own, unless it is a number or a symbol.
+  /// The expression under a name, unless it is a number or a symbol.
   GiNaC::ex named(const std::string& name, const GiNaC::ex& value, const std::string& meaning) {
     const GiNaC::ex sum = value.expand();
     if (equations::is_plain(sum)) {
@@ -85,7 +85,7 @@ class ForceWalk {
     }
   }
 
-  /// Q: what the loads do per unit of each unknown, where the tree alone holds the links.
+  /// Q: the work of the loads per unit of each unknown, with the links placed by the tree.
   void project_loads() {
     for (std::size_t unknown = 0; unknown < equations_.unknowns.size(); ++unknown) {
       GiNaC::ex sum;
@@ -101,7 +101,7 @@ class ForceWalk {
   }
 
   [[nodiscard]] std::size_t row_count() const { return equations_.unknowns.size(); }
-  /// How the end of a loop moves with an unknown.
+  /// The motion of the end of a loop per unit of an unknown.
   [[nodiscard]] Vector2 motion_of(std::size_t loop, std::size_t unknown) const {
     return {loop_motion_[2 * loop][unknown], loop_motion_[2 * loop + 1][unknown]};
   }
@@ -111,13 +111,13 @@ class ForceWalk {
     return row % 2 == 0 ? frame : Vector2{-frame.y, frame.x};
   }
 
-  /// Whether the end of a loop moves along or across a single vector, which has a name.
+  /// Whether the motion of a loop's end is along or across a single named vector.
   [[nodiscard]] static bool is_named(const Vector2& motion) {
     return equations::is_plain(motion.x) && equations::is_plain(motion.y);
   }
 
-  /// The components that a vector has in the frame of its loop are projections: the vector is
-  /// needed itself.
+  /// The components of a vector in the frame of its loop are projections, so the vector itself is
+  /// needed.
   void name_projections() {
     for (std::size_t row = 0; row < row_count(); ++row) {
       for (std::size_t unknown = 0; unknown < row_count(); ++unknown) {
@@ -134,8 +134,8 @@ class ForceWalk {
     }
   }
 
-  /// The residual of a loop is the place of the cut joint on its second link, less that on its
-  /// first: so lambda acts on the second.
+  /// The residual of a loop is the position of the cut joint on its second link minus that on its
+  /// first, so lambda acts on the second.
   void solve_cut_joints() {
     if (jacobian_ == nullptr) {
       declare_multipliers();
@@ -156,9 +156,9 @@ class ForceWalk {
     }
   }
 
-  /// A loop alone has two unknowns, and what each of them loads is the moment of one force about a
-  /// point, or its part in a direction: the force lies on two lines, which intersect. Where the
-  /// frame of the loop makes a pivot one, elimination has fewer operations.
+  /// A single loop has two unknowns, and the load along each is the moment of one force about a
+  /// point, or its component in a direction. So the force lies on two lines, which intersect. If
+  /// the frame of the loop makes a pivot one, elimination takes fewer operations.
   bool intersect_lines() {
     if (equations_.loops.size() != 1 || jacobian_->pivots().size() != row_count()) {
       return false;
@@ -178,8 +178,8 @@ class ForceWalk {
     return true;
   }
 
-  /// Finds the parts of the forces along and across the frames of their loops by the steps of the
-  /// elimination in reverse. Beside single unknowns a part counts as a vector.
+  /// Finds the components of the forces along and across the frames of their loops by the steps of
+  /// the elimination in reverse. Next to single unknowns a component is treated as a vector.
   void eliminate() {
     const pivoting::FramedClosures& closures = jacobian_->closures();
     std::vector<GiNaC::ex> rhs;
@@ -200,7 +200,7 @@ class ForceWalk {
     }
   }
 
-  /// What the known parts of the forces do per unit of an unknown.
+  /// The work of the known components of the forces per unit of an unknown.
   GiNaC::ex known_part(std::size_t unknown, const std::vector<GiNaC::ex>& solved) {
     GiNaC::ex sum;
     for (std::size_t row = 0; row < row_count(); ++row) {
@@ -215,7 +215,7 @@ class ForceWalk {
     const std::string& name = equations_.unknowns[unknown].name;
     return named("known_" + name, sum, "what the known forces do along " + name);
   }
-  /// Whether an entry of the Jacobian is more than a number or a dimension.
+  /// Whether an entry of the Jacobian is neither a number nor a dimension.
   [[nodiscard]] bool is_computed(const GiNaC::ex& entry) const {
     const auto is_known = [&](const GiNaC::ex& value) {
       return std::ranges::any_of(result_.vocabulary.quantities(), [&](const auto& quantity) {
@@ -224,7 +224,7 @@ class ForceWalk {
     };
     return !equations::is_plain(entry) || is_known(entry) || is_known(-entry);
   }
-  /// One part of the force in a cut joint as a vector, under a name.
+  /// One component of the force in a cut joint as a vector, under a name.
   Vector2 vector_of(std::size_t row, const GiNaC::ex& size) {
     std::optional<Vector2>& part = parts_[row];
     if (!part) {
@@ -236,7 +236,7 @@ class ForceWalk {
     }
     return *part;
   }
-  /// The force in the cut joint of a loop: the sum of its parts.
+  /// The force in the cut joint of a loop: the sum of its components.
   [[nodiscard]] Vector2 force_in(std::size_t loop, const std::vector<GiNaC::ex>& framed) const {
     Vector2 sum;
     for (const std::size_t row : {2 * loop, 2 * loop + 1}) {
@@ -257,7 +257,7 @@ class ForceWalk {
                                    named(name + "_y", force.y, meaning + ", y")};
   }
 
-  /// The joint by which the tree enters a link carries what is left of the forces on it.
+  /// The joint by which the tree enters a link carries the resultant of the other forces on it.
   void balance_forces(LinkIndex link) {
     const JointIndex entry = tree_.entry[link];
     GiNaC::ex x = result_.loads[link].x;
@@ -282,8 +282,8 @@ class ForceWalk {
         "vector from the origin of link " + word(link) + " to " + letter(index));
   }
 
-  /// The displacement of a slide times the force across it: the couple about the feet on the two
-  /// links differs by this.
+  /// The displacement of a slide times the force across it: the difference of the couples about the
+  /// feet on the two links.
   [[nodiscard]] GiNaC::ex shift(JointIndex index) const {
     const auto owner = std::ranges::find(equations_.owners, equations::Owner(index));
     const auto place = static_cast<std::size_t>(owner - equations_.owners.begin());
@@ -291,8 +291,8 @@ class ForceWalk {
            cross(equations_.slide_directions[index], result_.joints[index].force);
   }
 
-  /// The couple of the slide that ties a link carries what is left of the moments about the origin
-  /// of the link's frame, from which the forces of its slides have no arm.
+  /// The couple of the slide that ties a link balances the moments about the origin of the link's
+  /// frame, from which the forces of its slides have no arm.
   void balance_moments(const equations::AngleTie& tie) {
     const LinkIndex link = tie.link;
     GiNaC::ex sum = result_.loads[link].moment;
@@ -315,8 +315,8 @@ class ForceWalk {
   structure::SpanningTree tree_;
   const derivatives::ExpressionMatrix& tree_motion_;
   const derivatives::ExpressionMatrix& loop_motion_;
-  const pivoting::StructuredJacobian* jacobian_;  ///< null where lambda is given
-  std::vector<std::optional<Vector2>> parts_;     ///< that elimination needs as vectors, by row
+  const pivoting::StructuredJacobian* jacobian_;  ///< null if lambda is given
+  std::vector<std::optional<Vector2>> parts_;     ///< needed as vectors in the elimination, by row
   GroupForces result_;
 };
 

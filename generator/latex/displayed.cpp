@@ -34,17 +34,17 @@ constexpr std::array<Environment, 12> environments = {{{"equation", false},
 constexpr std::array<std::string_view, 4> headings = {"\\part", "\\chapter", "\\section",
                                                       "\\subsection"};
 
-/// No title has as many tokens. A heading whose bracket or brace is not closed is read no further.
+/// No title has this many tokens. A heading with an unclosed bracket or brace is read up to here.
 constexpr std::size_t longest_title = 10'000;
 
-/// No paper has as many equations, and counting from here cannot overflow.
+/// No paper has this many equations, and counting from here cannot overflow.
 constexpr int most_numbers = 1'000'000;
 
 bool is_heading(const Token& token) {
   return std::find(headings.begin(), headings.end(), token.text) != headings.end();
 }
 
-/// The title of the heading at a place, which is moved behind it.
+/// Returns the title of the heading at a place, and moves the place to its end.
 std::string take_title(const Tokens& tokens, std::size_t& at) {
   const std::size_t limit = std::min(at + longest_title, tokens.size());
   ++at;
@@ -168,7 +168,7 @@ class Scanner {
       arguments.push_back(take_argument(tokens_, at_));
     }
     if (!in_body_) {
-      return;  // its definition
+      return;  // only its definition
     }
     const std::string number = command.number == 0 ? "" : letters_of(arguments[command.number - 1]);
     expect_readable_size(arguments[command.equation - 1]);
@@ -273,7 +273,7 @@ class Scanner {
   bool ended_ = false;
   std::string section_;
   int number_ = 0;
-  char part_ = '\0';  ///< of subequations
+  char part_ = '\0';  ///< for subequations
   std::vector<Displayed> found_;
 };
 
@@ -294,7 +294,7 @@ std::set<std::string> section_titles(const Tokens& tokens) {
         titles.insert(title);
       }
     } catch (const FormulaError&) {
-      at = begin + 1;  // a definition of how headings look
+      at = begin + 1;  // a definition of the layout of headings
     }
   }
   return titles;
@@ -307,7 +307,7 @@ std::vector<Displayed> displayed(const Tokens& tokens,
   if (!whole) {
     return Scanner(tokens, commands).run();
   }
-  // What stands before the body displays nothing.
+  // Text before the body displays nothing.
   const auto is_begin = [&](std::size_t at) {
     return tokens[at].is("\\begin") && letters_of(slice(tokens, at + 1, at + 11)) == "{document}";
   };

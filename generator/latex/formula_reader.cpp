@@ -5,7 +5,7 @@ namespace assur::generator::latex {
 namespace {
 
 constexpr int most_nested = 60;
-/// Reading takes a second for as much.
+/// The work of one second of reading.
 constexpr std::size_t most_work = 2'000'000;
 
 }  // namespace

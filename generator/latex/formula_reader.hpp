@@ -1,5 +1,4 @@
-// Turns tokens, one after the other, into the tree of a formula; the parts of the reader share the
-// position that it has reached.
+// Recursive-descent reader of LaTeX formulas into trees; its parts share one position.
 #pragma once
 
 #include "latex/read_latex.hpp"
@@ -11,7 +10,7 @@ using text::Operation;
 
 struct Function;
 
-/// What a factor is, which decides what may stand behind it without a sign.
+/// The kind of a factor, which decides what may follow it without a sign.
 enum class FactorKind : unsigned char { number, symbol, closed, bare_function };
 
 struct Factor {
@@ -21,14 +20,14 @@ struct Factor {
 
 [[nodiscard]] bool is_fraction(const Token& token);
 
-/// What reading one formula has come to; the readers of its parts share it.
+/// The state of reading one formula, shared by the readers of its parts.
 struct Progress {
   std::vector<Place> places;
   std::size_t work = 0;  ///< tokens that were copied, and characters of the map's formulas
 };
 
-/// Reads one range of tokens to its end. Every function throws FormulaError at the place of what it
-/// cannot read.
+/// Reads one range of tokens to its end. Every function throws FormulaError at the place of the
+/// error.
 class FormulaReader {
  public:
   FormulaReader(Tokens tokens, const Reading& reading, Progress& progress, Place place, int depth);
@@ -36,13 +35,13 @@ class FormulaReader {
   Expression whole();
 
  private:
-  // The position in the tokens, and trees that remember their places.
+  // The position in the tokens, and trees with their places.
   [[noreturn]] void fail(const std::string& what, std::size_t at) const;
   void skip_spaces();
   Expression read(Tokens tokens, std::size_t at);
   [[nodiscard]] Place place_of(std::size_t at) const;
   std::size_t column(std::size_t at);
-  /// Throws where reading the formula would take too long.
+  /// Throws if reading the formula would take too long.
   void spend(std::size_t work, std::size_t at);
   Expression call(const std::string& name, Operation operation, std::vector<Expression> arguments,
                   std::size_t at);
@@ -54,20 +53,20 @@ class FormulaReader {
   Expression sum();
   /// The next plus or minus outside brackets and groups.
   [[nodiscard]] std::size_t end_of_term() const;
-  /// A product, summed over the indices that it has.
+  /// A product, summed over its indices.
   Expression term(const Tokens& tokens, std::size_t at);
   Expression summed(const Tokens& tokens, const std::string& index,
                     const std::vector<std::string>& values, std::size_t at);
-  /// \sum_{i=1}^{4} and the product behind it.
+  /// \sum_{i=1}^{4} and the product after it.
   Expression explicit_sum(const Tokens& tokens, std::size_t behind, std::size_t at);
   Expression product();
   /// Whether `\frac12`, a fraction of two numbers, begins at a place.
   [[nodiscard]] bool is_fraction_of_numbers(std::size_t at) const;
-  /// Throws unless a factor may stand behind another without a sign between them.
+  /// Throws unless a factor may follow another one without a sign between them.
   void expect_clear_product(const Factor& left, const Token& next, bool spaced) const;
 
   // Factors.
-  /// A power behind a factor, if there is one.
+  /// Adds the power after a factor, if there is one.
   Expression raised(Expression base);
   Expression powered(Expression base, const Tokens& exponent, std::size_t at);
   Factor factor();
@@ -77,45 +76,45 @@ class FormulaReader {
   Expression quantity(const Meaning& meaning);
   Expression formula_of(const Meaning& meaning, std::size_t at);
   static void move_to(Expression& tree, std::size_t column);
-  /// What stands between brackets; moves behind them.
+  /// The tokens between brackets; moves past the closing one.
   Tokens take_brackets();
   Expression bracketed();
-  /// Braces are not printed: what is in them must be one factor, or a product at the end.
+  /// Braces are not printed: they must contain one factor, or a product at the end.
   Factor group();
   Expression root();
   Expression fraction();
 
   // Functions and their arguments.
-  /// The function whose name stands at a place.
+  /// The function whose name begins at a place.
   [[nodiscard]] const Function* find_function(std::size_t at) const;
   /// `\cos^2\theta`, `\sin(a + b)`, `\operatorname{atan2}(y, x)`.
   Factor called(const Function& function);
   std::pair<std::vector<Expression>, bool> function_arguments(const Function& function,
                                                               std::size_t at);
-  /// Removes braces that stand around brackets and are not printed: `\sin{\left(\theta \right)}`.
+  /// Removes braces around brackets, which are not printed: `\sin{\left(\theta \right)}`.
   void unwrap_brackets();
   /// `\theta_1`, `2\theta_1`, `\frac{...}{...}`.
   Expression bare_argument();
   Expression bare_symbol();
 
   // Derivatives.
-  /// \frac{\partial^2 x}{\partial a \partial b}: what stands behind the first signs.
+  /// \frac{\partial^2 x}{\partial a \partial b}, from the tokens after the first signs.
   Expression derivative(const Tokens& of, const Tokens& by, std::size_t at);
-  /// What a derivative is by, and how often.
+  /// A variable of differentiation, and the order.
   struct By {
     Expression symbol;
     int times;
   };
   By read_by(const Tokens& tokens, std::size_t at);
-  /// The place behind a sign of differentiation; the place itself where there is none.
+  /// The place after a sign of differentiation; the place itself if there is none.
   using BehindSign = std::function<std::size_t(const Tokens&, std::size_t)>;
-  /// The derivatives of a tree by all that stands below the bar.
+  /// The derivatives of a tree with respect to all variables below the bar.
   Expression by_all(const std::string& name, Expression tree, int order, const Tokens& by,
                     const BehindSign& behind_sign, std::size_t at);
   [[nodiscard]] int order_of(const std::string& digits, std::size_t at) const;
-  /// What stands behind \frac{d}{d t}: a bracket, or all that is left of the product.
+  /// The operand of \frac{d}{d t}: a bracket, or the rest of the product.
   Expression operand();
-  /// The derivative by the time of an order.
+  /// The time derivative of an order.
   Expression rates(Expression of, int order, std::size_t at);
   /// \partial a/\partial b
   Expression inline_derivative();

@@ -8,18 +8,18 @@ namespace assur::generator::latex {
 
 namespace {
 
-/// No call in a paper needs as many replacements, but definitions that use each other have no end.
+/// No call in a paper needs this many replacements, but definitions that use each other never end.
 constexpr std::size_t most_replacements = 20000;
-/// No paper has as many tokens when its commands are replaced, nor makes as many on the way there.
+/// No paper has this many tokens after its commands are replaced, nor produces as many on the way.
 constexpr std::size_t most_tokens = 2000000;
 constexpr std::size_t most_made = 20000000;
 
 struct Macro {
   std::size_t arguments = 0;
   Tokens body;
-  bool readable = true;  ///< its definition has a form that is followed here
+  bool readable = true;  ///< its definition has a supported form
 };
-/// What a command means; nothing if it is not defined.
+/// The meaning of a command; null if it is not defined.
 using SharedMacro = std::shared_ptr<const Macro>;
 
 class Expander {
@@ -94,7 +94,7 @@ class Expander {
     return found;
   }
 
-  /// The text between brackets, if one is opened here.
+  /// The text between brackets, if one opens here.
   std::string optional_argument() {
     std::string text;
     if (take("[")) {
@@ -123,7 +123,7 @@ class Expander {
     }
   }
 
-  /// The definitions in a group end with it.
+  /// Definitions in a group end with it.
   void follow_group(const Token& token) {
     if (token.is("{") || token.is("\\begin")) {
       groups_.emplace_back();
@@ -165,7 +165,7 @@ class Expander {
     define(name, std::move(macro));
   }
 
-  /// `\let\NAME=\OTHER`: what the other means now.
+  /// `\let\NAME=\OTHER`: the current meaning of the other command.
   void define_alike() {
     const Tokens name = argument();
     take("=");
@@ -247,11 +247,11 @@ class Expander {
   std::map<std::string, SharedMacro> macros_;
   using Definition = std::pair<std::string, SharedMacro>;
   std::vector<std::vector<Definition>> groups_;  ///< former definitions, by open group
-  bool global_ = false;                          ///< what is defined outlives its group
-  /// How often each call in the file has been replaced, by its place. Calls within what replaces
-  /// it have the same place and count with it.
+  bool global_ = false;                          ///< the definition outlives its group
+  /// The number of replacements of each call in the file, by its place. Calls within a replacement
+  /// have the same place and count with it.
   std::map<std::size_t, std::size_t> replacements_;
-  std::size_t made_ = 0;  ///< tokens by all replacements so far, and one for each of them
+  std::size_t made_ = 0;  ///< tokens by all replacements so far, plus one for each
   Place last_{1, 1};
 };
 

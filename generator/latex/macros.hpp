@@ -1,4 +1,4 @@
-// Turns tokens with the writer's own commands into tokens without them.
+// Expands the commands that a paper defines.
 #pragma once
 
 #include <set>
@@ -7,10 +7,10 @@
 
 namespace assur::generator::latex {
 
-/// Replaces what \newcommand, \renewcommand, \def and \DeclareMathOperator define, with arguments
-/// where they have some, and leaves the definitions out. A token of an argument keeps its place,
-/// one of a definition takes that of the call. `kept` are commands that are not replaced. Throws
-/// FormulaError where a definition of another form is used, and where replacing does not end.
+/// Replaces the commands defined by \newcommand, \renewcommand, \def and \DeclareMathOperator, with
+/// their arguments, and removes the definitions. A token of an argument keeps its place, one of a
+/// definition takes that of the call. Commands in `kept` are not replaced. Throws FormulaError if a
+/// definition of another form is used, and if the replacements do not end.
 [[nodiscard]] Tokens expanded(const Tokens& tokens, const std::set<std::string>& kept);
 
 }  // namespace assur::generator::latex

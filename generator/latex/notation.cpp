@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 38> symbol_names = {
 constexpr std::array<std::string_view, 8> shapes = {"\\mathrm", "\\mathit", "\\text",
                                                     "\\textrm", "\\mathsf", "\\mathnormal",
                                                     "\\textit", "\\mathtt"};
-/// Commands that make another symbol of a letter.
+/// Commands that turn a letter into another symbol.
 constexpr std::array<std::string_view, 15> accents = {
     "\\mathbf",   "\\boldsymbol", "\\bm",        "\\vec",     "\\bar",
     "\\overline", "\\hat",        "\\tilde",     "\\widehat", "\\mathcal",
@@ -32,7 +32,7 @@ bool is_symbol(const Token& token) {
 
 constexpr int most_dots = 4;
 
-/// How many dots a command puts above a symbol.
+/// The number of dots that a command puts above a symbol.
 int dots_of(const Token& token) {
   constexpr std::array<std::string_view, most_dots> commands = {"\\dot", "\\ddot", "\\dddot",
                                                                 "\\ddddot"};
@@ -47,7 +47,7 @@ bool is_skipped(const Token& token) {
 /// Tokens as one text without braces and shapes.
 std::string flat(const Tokens& tokens) {
   std::string text;
-  bool word = false;  // the last was the name of a symbol
+  bool word = false;  // the last token was the name of a symbol
   for (const Token& token : tokens) {
     if (token.is("{") || token.is("}") || is_skipped(token) || contains(shapes, token.text)) {
       continue;
@@ -67,10 +67,10 @@ bool could_be_power(const Tokens& tokens) {
   });
 }
 
-/// Whether the pattern matches the whole text; if so, what its `?` stand for is added to
-/// `captured`. Each `?` takes as few characters as it can, but at least one and no superscript,
-/// which may be a power. The first place where a piece between them occurs is the only one to try:
-/// a later place leaves less to the next `?`, and no superscript can stand between the two.
+/// Whether the pattern matches the whole text; if so, the matches of its `?` are added to
+/// `captured`. Each `?` matches as few characters as possible, but at least one and no superscript,
+/// which may be a power. Only the first occurrence of a piece between them need be tried: a later
+/// one leaves less to the next `?`, and no superscript can lie between the two.
 bool glob(const std::string& pattern, const std::string& text, std::vector<std::string>& captured) {
   std::size_t next = std::min(pattern.find('?'), pattern.size());
   if (text.compare(0, next, pattern, 0, next) != 0) {
@@ -320,7 +320,7 @@ std::optional<Meaning> Notations::match(const Notation& notation, const Tokens& 
     if (!atom || !last) {
       return std::nullopt;
     }
-    // Its superscript is a power, or its dots are derivatives of what the notation says.
+    // Its superscript is a power, or its dots are time derivatives of the notation's quantity.
     const std::string name = dotted(atom->dots, atom->name);
     const bool derived = atom->dots > 0 && place == 0;
     if (!atom->superscript.empty() && !atom->power.empty() && glob(pattern, name, captured)) {
@@ -375,7 +375,7 @@ std::optional<Meaning> Notations::by_spelling(const Tokens& tokens, std::size_t 
   return Meaning{one ? spelled : without, atom->name, atom->power, atom->dots, atom->end};
 }
 
-/// `ab` may be a times b, or a quantity of that name.
+/// Throws if `ab` may be a times b or a quantity of that name.
 void Notations::refuse_words(const Tokens& tokens, std::size_t at) const {
   if (!tokens[at].is_letter() || (at > 0 && tokens[at - 1].is_letter())) {
     return;

@@ -1,5 +1,4 @@
-// Turns symbols as a paper writes them, with accents, indices and primes, into the names of
-// quantities.
+// Reads the symbols of a paper, with accents, indices and primes, as names of quantities.
 #pragma once
 
 #include <functional>
@@ -9,26 +8,26 @@
 
 namespace assur::generator::latex {
 
-/// A letter, a Greek letter or an upright word, with accents, index, superscript and primes. Two
-/// ways to write one symbol, such as `\dot\theta_1` and `\dot{\theta}_{1}`, have one name.
+/// A letter, a Greek letter or an upright word, with accents, index, superscript and primes.
+/// Different spellings of one symbol, such as `\dot\theta_1` and `\dot{\theta}_{1}`, have one name.
 struct Atom {
   std::string name;  ///< `theta_1`, without dots and superscript
   std::string superscript;
   Tokens power;  ///< the superscript's tokens, if it could be a power
   int dots = 0;
-  std::size_t end = 0;  ///< behind it
+  std::size_t end = 0;  ///< the token after it
 };
 
-/// The symbol that begins at a token, or nothing. Throws FormulaError for a second index.
+/// The symbol that begins at a token, or empty. Throws FormulaError for a second index.
 [[nodiscard]] std::optional<Atom> read_atom(const Tokens& tokens, std::size_t at);
 
-/// What a notation of the map stands for.
+/// The meaning of a notation of the map.
 struct Meaning {
   std::string formula;  ///< in the syntax of audit files; empty: the paper defines it
-  std::string name;     ///< as the paper writes it
-  Tokens power;         ///< that stands behind it
-  int dots = 0;         ///< that stand above it and are not the notation's
-  std::size_t end = 0;  ///< the token behind it
+  std::string name;     ///< as written in the paper
+  Tokens power;         ///< of the power after it
+  int dots = 0;         ///< above it, apart from those of the notation
+  std::size_t end = 0;  ///< the token after it
 };
 
 /// The notations of a map.
@@ -39,16 +38,16 @@ class Notations {
 
   explicit Notations(Declared declared) : declared_(std::move(declared)) {}
 
-  /// A notation may be several symbols. Each `?` in it stands for any text, which replaces the `?`
-  /// of the formula in their order, with commas as underscores; the last text also replaces all
-  /// that follow. With an empty formula, the paper defines the quantity.
+  /// A notation may be several symbols. Each `?` in it matches any text, which replaces the `?` of
+  /// the formula in order, with commas as underscores; the last text also replaces all further
+  /// ones. With an empty formula, the paper defines the quantity.
   void add(const Tokens& notation, const std::string& formula);
-  /// Whether a notation was added already, however it is spelled.
+  /// Whether a notation has been added, in any spelling.
   [[nodiscard]] bool contains(const Tokens& notation) const;
 
-  /// What stands at a token: by the longest notation of the map; or else by the name of a quantity
-  /// that is spelled as the symbol is, `a_{1}` as `a_1` or `a1`. Nothing if there is none. Throws
-  /// FormulaError where letters may be one name or a product.
+  /// The meaning at a token by the longest notation of the map, or else by a quantity with the same
+  /// name as the symbol, `a_{1}` as `a_1` or `a1`. Empty if there is none. Throws FormulaError for
+  /// letters that may be one name or a product.
   [[nodiscard]] std::optional<Meaning> at(const Tokens& tokens, std::size_t at) const;
 
  private:
@@ -66,13 +65,13 @@ class Notations {
   std::vector<Notation> notations_;  ///< the longest first
 };
 
-/// The symbols of a whole side, so that two ways to write it compare equal.
+/// The symbols of a whole side, so that different spellings compare equal.
 [[nodiscard]] std::vector<std::string> symbols_of(const Tokens& tokens);
-/// What the `?` of a pattern stand for in symbols that it matches.
+/// The matches of the `?` of a pattern in symbols, if it matches them.
 [[nodiscard]] std::optional<std::vector<std::string>> matched(
     const std::vector<std::string>& pattern, const std::vector<std::string>& symbols);
-/// The formula with each `?` replaced. Throws FormulaError at the place for a formula that becomes
-/// too long.
+/// The formula with each `?` replaced. Throws FormulaError at the place if the formula becomes too
+/// long.
 [[nodiscard]] std::string filled(const std::string& formula,
                                  const std::vector<std::string>& captured, Place place);
 

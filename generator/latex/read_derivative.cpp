@@ -1,4 +1,4 @@
-// Derivatives of any order, partial, total and by the time, as trees.
+// Reads derivatives of any order: partial, total and with respect to time.
 #include "latex/formula_reader.hpp"
 #include "latex/rows.hpp"
 

@@ -1,4 +1,4 @@
-// Turns the tokens of a factor into its tree: numbers, quantities, brackets, roots, fractions.
+// Reads the factors of a formula: numbers, quantities, brackets, roots, fractions.
 #include <assur/text/quoted.hpp>
 
 #include "latex/formula_reader.hpp"
@@ -196,7 +196,7 @@ Factor FormulaReader::group() {
     }
   }
   if (at_ < tokens_.size() && tokens_[at_].is("^")) {
-    fail("braces are not printed, so what is raised is not clear; write brackets", at_);
+    fail("braces are not printed, so the base of the power is not clear; write brackets", at_);
   }
   return {read(inside, open), FactorKind::symbol};
 }

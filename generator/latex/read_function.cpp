@@ -1,4 +1,4 @@
-// Turns the name of a function and what stands behind it into its tree.
+// Reads functions with their powers and arguments.
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -33,8 +33,8 @@ bool is_word(const Token& token) {
   return token.is("\\operatorname") || token.is("\\mathrm") || token.is("\\text");
 }
 
-/// The name of a function that is a word, `\operatorname{atan}_{2}` with its subscript; `at` is
-/// moved behind it.
+/// Returns the name of a function that is a word, `\operatorname{atan}_{2}` with its subscript, and
+/// moves `at` past it.
 std::string take_word(const Tokens& tokens, std::size_t& at) {
   std::string name = letters_of(take_argument(tokens, ++at));
   if (name == "atan" && at < tokens.size() && tokens[at].is("_")) {

@@ -11,7 +11,7 @@ namespace assur::generator::latex {
 
 namespace {
 
-/// An equation may have as many tokens.
+/// The largest number of tokens of an equation.
 constexpr std::size_t most_parts = 20'000;
 
 bool is_product_sign(const Token& token) {
@@ -194,7 +194,7 @@ void FormulaReader::expect_clear_product(const Factor& left, const Token& next, 
   }
   if (next.is("^") || next.is("_")) {
     fail(left.kind == FactorKind::bare_function || left.kind == FactorKind::closed
-             ? "what is raised here is not clear; write \\sin^2 x, or brackets around it all"
+             ? "the base of this power is not clear; write \\sin^2 x, or brackets around it all"
              : "'" + next.text + "' is not expected here",
          at_);
   }

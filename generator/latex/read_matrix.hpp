@@ -1,4 +1,4 @@
-// Turns the tokens of a matrix into its cells.
+// Reads a LaTeX matrix as its cells.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,8 @@
 
 namespace assur::generator::latex {
 
-/// A matrix, an array or a column (a, b)^T, by its cells. An array whose first column and row are
-/// ruled off has titles.
+/// The cells of a matrix, an array or a column (a, b)^T. An array with rules after its first column
+/// and row has titles.
 struct LatexMatrix {
   std::vector<std::vector<Tokens>> cells;
   std::vector<Tokens> row_titles;
@@ -16,8 +16,8 @@ struct LatexMatrix {
   Place place;
 };
 
-/// The matrix that all the given tokens form; nothing if they contain none. Throws
-/// FormulaError for determinants, products with matrices and rows of different lengths.
+/// The matrix that the given tokens form; empty if they contain none. Throws FormulaError for
+/// determinants, products with matrices and rows of different lengths.
 [[nodiscard]] std::optional<LatexMatrix> read_matrix(const Tokens& given);
 
 }  // namespace assur::generator::latex

@@ -14,12 +14,12 @@ constexpr std::array<std::string_view, 12> other_relations = {
     "<",     ">",        "\\le",    "\\leq", "\\ge", "\\geq",
     "\\neq", "\\approx", "\\equiv", "\\sim", "\\to", "\\propto"};
 
-/// Goes over tokens and tells which of them stand outside groups, brackets and environments.
+/// Tracks which tokens lie outside groups, brackets and environments.
 class Depth {
  public:
   explicit Depth(bool brackets) : brackets_(brackets) {}
 
-  /// Whether the token stands outside. Call it for each token in turn.
+  /// Whether the token lies outside. Must be called for each token in turn.
   bool outside(const Token& token) {
     const bool opens = token.is("{") || token.is("\\begin") ||
                        (brackets_ && (token.is("(") || token.is("[") || token.is("\\{")));
@@ -36,7 +36,7 @@ class Depth {
   int depth_ = 0;
 };
 
-/// The parts between tokens that stand outside and are separators.
+/// The parts between separators that lie outside.
 template <typename Separates>
 std::vector<Tokens> parts(const Tokens& tokens, bool brackets, const Separates& separates) {
   std::vector<Tokens> list(1);
@@ -71,8 +71,7 @@ bool has_relation(const Tokens& tokens) {
                      [&](const Token& token) { return depth.outside(token) && token.is("="); });
 }
 
-/// The equations that stand side by side: an `&` ends an equation that has its `=` if another `=`
-/// follows.
+/// Equations side by side: an `&` ends an equation that has its `=` if another `=` follows.
 std::vector<Tokens> side_by_side(const Tokens& row) {
   const std::vector<Tokens> cells = cells_of(row);
   std::vector<Tokens> list(1);
@@ -86,14 +85,14 @@ std::vector<Tokens> side_by_side(const Tokens& row) {
   return list;
 }
 
-/// The statements of a system of equations that begins at `at`, which is moved behind it.
+/// Returns the statements of the system of equations that begins at `at`, and moves `at` past it.
 std::vector<Tokens> system_rows(const Tokens& tokens, std::size_t& at) {
   const Token& opened = tokens[at++];
   const std::string name = letters_of(take_argument(tokens, at));
   const Tokens inside = take_environment(tokens, at, name, opened);
   std::size_t first = 0;
   if (name == "array" || name == "alignedat") {
-    static_cast<void>(take_argument(inside, first));  // its columns
+    static_cast<void>(take_argument(inside, first));  // the description of its columns
   }
   std::vector<Tokens> list;
   for (const Tokens& row : rows_of(slice(inside, first, inside.size()))) {
@@ -106,7 +105,7 @@ std::vector<Tokens> system_rows(const Tokens& tokens, std::size_t& at) {
   return list;
 }
 
-/// Where a system of equations begins, at the start or behind a brace; else the number of tokens.
+/// The start of a system of equations, at 0 or after a brace; else the number of tokens.
 std::size_t begin_of_system(const Tokens& tokens) {
   std::size_t at = 0;
   while (at < tokens.size() && (is_layout(tokens[at]) || tokens[at].is("\\{") ||
@@ -196,7 +195,7 @@ std::vector<Tokens> statements_of(const Tokens& equation) {
     list = system_rows(rest, at);
     rest = slice(rest, at, rest.size());
     while (!rest.empty() && (is_layout(rest[0]) || is_punctuation(rest[0]))) {
-      rest.erase(rest.begin());  // \right. and what follows it
+      rest.erase(rest.begin());  // \right. and the following delimiter
     }
   }
   list.push_back(rest);
@@ -215,7 +214,7 @@ std::vector<Tokens> statements_of(const Tokens& equation) {
       if (statement.empty()) {
         continue;
       }
-      if (!first && continues(statement)) {  // the space indents a line that goes on
+      if (!first && continues(statement)) {  // the space indents a continued line
         statements.back().insert(statements.back().end(), statement.begin(), statement.end());
       } else {
         statements.push_back(std::move(statement));

@@ -1,4 +1,4 @@
-// Turns tokens into rows, cells and the formulas of a system of equations.
+// Splits tokens into rows, cells and the equations of a system.
 #pragma once
 
 #include "latex/tokens.hpp"
@@ -6,18 +6,18 @@
 namespace assur::generator::latex {
 
 [[nodiscard]] Tokens slice(const Tokens& tokens, std::size_t from, std::size_t to);
-/// What stands in the environment that begins before `at`; `at` is moved behind its \end.
+/// Returns the contents of the environment that begins before `at`, and moves `at` past its \end.
 [[nodiscard]] Tokens take_environment(const Tokens& tokens, std::size_t& at,
                                       const std::string& name, const Token& opened);
-/// The parts between line breaks outside groups and inner environments; the last one is left out if
-/// it is empty. \hline and widths of gaps are not part of them.
+/// The parts between line breaks outside groups and inner environments, without an empty last one,
+/// \hline and widths of gaps.
 [[nodiscard]] std::vector<Tokens> rows_of(const Tokens& tokens);
-/// The parts between the `&` that stand outside groups and inner environments.
+/// The parts between the `&` outside groups and inner environments.
 [[nodiscard]] std::vector<Tokens> cells_of(const Tokens& row);
 /// Whether a row continues the one before it: it begins with a relation or a sign.
 [[nodiscard]] bool continues(const Tokens& row);
-/// The separate statements of a displayed equation: the rows of a system (`cases`, `aligned`) and
-/// what \quad separates, without alignment marks and the punctuation at their ends.
+/// The statements of a displayed equation: the rows of a system (`cases`, `aligned`) and the parts
+/// between \quad, without alignment marks and final punctuation.
 [[nodiscard]] std::vector<Tokens> statements_of(const Tokens& equation);
 /// The sides of a statement, between its `=` outside brackets. Throws FormulaError for other
 /// relations.

@@ -19,7 +19,7 @@ bool is_ascii_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 bool continues_character(char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; }
 
-/// How many bytes the character that begins with this byte has; 0 for none.
+/// The number of bytes of the character that begins with this byte; 0 if none does.
 std::size_t length_of_character(unsigned char first) {
   return first < 0x80U                     ? 1U
          : first >= 0xC2U && first < 0xE0U ? 2U

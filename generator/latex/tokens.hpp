@@ -1,4 +1,4 @@
-// Turns LaTeX into tokens, each with its line and column.
+// Tokens of LaTeX with their lines and columns.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@ namespace assur::generator::latex {
 using closures::FormulaError;
 using closures::Place;
 
-/// A control sequence with its backslash, or one character. White space and comments are no tokens.
+/// A control sequence with its backslash, or one character. White space and comments are skipped.
 struct Token {
   std::string text;
   Place place;
-  std::size_t from = 0;  ///< where it stands in the file, in bytes
+  std::size_t from = 0;  ///< position in the file, in bytes
   std::size_t to = 0;
-  bool spaced = false;  ///< white space stands before it
+  bool spaced = false;  ///< white space precedes it
 
   [[nodiscard]] bool is(const char* other) const { return text == other; }
   [[nodiscard]] bool is_letter() const;
@@ -33,33 +33,32 @@ template <typename List>
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-/// The tokens of a file, or of a text that begins at some place in it; what stands in verbatim is
-/// left out. Throws InputError for a text that is not UTF-8, and FormulaError for a backslash that
-/// ends it.
+/// The tokens of a file, or of a part of it that begins at some place, without verbatim text.
+/// Throws InputError for a text that is not UTF-8, and FormulaError for a final backslash.
 [[nodiscard]] Tokens tokens_of(const std::string& text, const std::string& file,
                                Place begin = {1, 1});
 
-/// How many tokens an equation or a notation may have. More of them, or more nesting, than any
-/// person writes would exhaust the stack or the time.
+/// The largest number of tokens of an equation or a notation. More of them, or more nesting, than
+/// any person writes would exhaust the stack or the time.
 constexpr std::size_t longest_equation = 20'000;
-/// Throws FormulaError if there are too many tokens, or braces in braces.
+/// Throws FormulaError if there are too many tokens, or too deeply nested braces.
 void expect_readable_size(const Tokens& tokens);
 
 /// Brackets that are printed.
 [[nodiscard]] bool opens(const Token& token);
 [[nodiscard]] bool closes(const Token& token);
 
-/// The place behind the group, or behind the single token, that begins at `at`. Throws FormulaError
-/// where there is none, or none before `limit`.
+/// The place after the group, or single token, that begins at `at`. Throws FormulaError if there is
+/// none before `limit`.
 [[nodiscard]] std::size_t end_of_argument(const Tokens& tokens, std::size_t at,
                                           std::size_t limit = std::string::npos);
-/// What stands in the argument that begins at `at`, without its braces; `at` is moved behind it.
+/// Returns the argument that begins at `at`, without its braces, and moves `at` past it.
 [[nodiscard]] Tokens take_argument(const Tokens& tokens, std::size_t& at);
 /// The characters of tokens one after the other, as in the name of an environment.
 [[nodiscard]] std::string letters_of(const Tokens& tokens);
 /// Horizontal space that does not separate formulas: `\,` and the like.
 [[nodiscard]] bool is_thin_space(const Token& token);
-/// What changes the look of a formula and nothing else: `\displaystyle`, `\allowbreak`, `\left`.
+/// Tokens that only change the look of a formula: `\displaystyle`, `\allowbreak`, `\left`.
 [[nodiscard]] bool is_layout(const Token& token);
 
 }  // namespace assur::generator::latex

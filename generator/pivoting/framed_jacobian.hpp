@@ -1,5 +1,4 @@
-// Turns polar loop closures into the Jacobian's entries as projections along and across each
-// loop's closing vector.
+// The Jacobian by projections of the loop closures along and across each loop's closing vector.
 #pragma once
 
 #include <string>
@@ -9,7 +8,7 @@
 
 namespace assur::generator::pivoting {
 
-/// (cos, sin) of a sum of angles, named; sums are built up from shorter sums that have names.
+/// (cos, sin) of a sum of angles, named; sums are built from shorter named sums.
 [[nodiscard]] equations::Vector2 named_direction(const equations::AngleSum& angle,
                                                  equations::Vocabulary& vocabulary);
 
@@ -35,8 +34,8 @@ class FramedClosures {
   /// d2(closures)/dt2 for constant rates of the unknowns and the inputs: centripetal and Coriolis
   /// terms.
   [[nodiscard]] std::vector<GiNaC::ex> quadratic_rates() const;
-  /// An upper bound of each component of a derivative: by an angle, sums of |length| over the
-  /// vectors that turn with it; by a length, one for each vector that has it.
+  /// An upper bound of each component of a derivative: for an angle, the sum of |length| over the
+  /// vectors that turn with it; for a length, the number of vectors that have it.
   [[nodiscard]] std::vector<GiNaC::ex> derivative_bound(const equations::Variable& variable) const;
   /// For each row, the sum of |length| over its loop's vectors that have an angle.
   [[nodiscard]] std::vector<GiNaC::ex> row_size() const;

@@ -33,8 +33,8 @@ std::vector<const equations::Variable*> variables_of(const equations::ClosureEqu
   return list;
 }
 
-/// The direction that a coefficient equals. An angle has the factor k in it if turning the angle
-/// turns the coefficient k times as fast.
+/// The direction equal to a coefficient. An angle has the factor k in it if rotating the angle
+/// rotates the coefficient k times as fast.
 PolarTerm recognised_term(const equations::ClosureEquations& equations,
                           const equations::Variable& length,
                           const equations::Vector2& coefficient) {

@@ -1,4 +1,4 @@
-// Turns loop closures into sums of lengths times directions, each loop seen from its closing link.
+// Loop closures as sums of lengths times directions, each with the frame of its closing link.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ struct PolarLoop {
 };
 
 /// The loops of a model in polar form. Throws GeneratorError if a closure is not linear in lengths
-/// with directions of unit size for coefficients.
+/// with unit directions as coefficients.
 [[nodiscard]] std::vector<PolarLoop> polar_loops(const equations::ClosureEquations& equations);
 
 }  // namespace assur::generator::pivoting

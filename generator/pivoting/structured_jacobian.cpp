@@ -126,7 +126,7 @@ void StructuredJacobian::order_elimination() {
     }
     return false;
   };
-  // The last row is left as a core: its pivot tells where the group as a whole is singular.
+  // The last row remains as a core: its pivot shows where the group as a whole is singular.
   while (rows.size() > 1 && peel()) {
   }
   core_rows_ = rows;

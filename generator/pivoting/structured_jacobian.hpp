@@ -1,5 +1,5 @@
-// Turns the framed Jacobian into an order of elimination: the unknowns that its zeros let be solved
-// one by one, and the core that is solved at once.
+// The order of elimination for the framed Jacobian: single unknowns by its zeros, and a core solved
+// at once.
 #pragma once
 
 #include <functional>
@@ -11,16 +11,16 @@
 
 namespace assur::generator::pivoting {
 
-/// A quantity that the elimination divides by.
+/// A divisor of the elimination.
 struct Pivot {
   GiNaC::ex value;         ///< in names of the vocabulary
-  GiNaC::ex bound;         ///< of |value|, from the size of the loops: the unit it is measured in
+  GiNaC::ex bound;         ///< of |value|, from the size of the loops: its unit of measurement
   std::string text;        ///< `GF`, `sin(phi_B - phi_E)`, or the core's determinant in its entries
   std::string cause;       ///< `a dead centre`, `CD = 0`
-  std::string degeneracy;  ///< what its vanishing means
+  std::string degeneracy;  ///< the meaning of its zero
 };
 
-/// One unknown from one row, once the row's other unknowns are known.
+/// One unknown from one row, after the row's other unknowns are known.
 struct EliminationStep {
   std::size_t row;
   std::size_t unknown;
@@ -35,23 +35,23 @@ class StructuredJacobian {
   explicit StructuredJacobian(const equations::ClosureEquations& equations);
 
   [[nodiscard]] const FramedClosures& closures() const { return closures_; }
-  /// Names of the closures, the core's determinant and the one reciprocal.
+  /// Names of the closures, of the core's determinant and of its reciprocal.
   [[nodiscard]] const equations::Vocabulary& vocabulary() const { return vocabulary_; }
-  /// The core's determinant first, as its factors where it is a product of sines and cosines; then
-  /// the divisors of the single steps, except plus or minus one.
+  /// The core's determinant first, by factors if it is a product of sines and cosines; then the
+  /// divisors of the single steps, except plus or minus one.
   [[nodiscard]] const std::vector<Pivot>& pivots() const { return pivots_; }
   [[nodiscard]] std::size_t core_pivot_count() const { return core_pivot_count_; }
-  /// Sum of the sizes of the terms of the core's determinant: what rounding is measured against.
+  /// Sum of the magnitudes of the terms of the core's determinant, the reference for rounding.
   [[nodiscard]] const GiNaC::ex& core_terms() const { return core_terms_; }
   [[nodiscard]] int sign() const { return sign_; }
   /// J, in the frames of the loops.
   [[nodiscard]] const GiNaC::ex& entry(std::size_t row, std::size_t unknown) const {
     return entries_[row][unknown];
   }
-  /// det J as the product of its factors, for reading.
+  /// det J as the product of its factors, as text.
   [[nodiscard]] std::string determinant_text() const;
 
-  /// What the components of x that are known add to a row of J x; those that are not are zero.
+  /// The contribution of the known components of x to a row of J x; unknown components are zero.
   using KnownPart = std::function<GiNaC::ex(std::size_t row, const std::vector<GiNaC::ex>& solved)>;
   /// The solution of J x = b, for b in names. A component that needs a name is defined in `names`,
   /// by the symbol of its unknown in `symbols` and with `meaning`.
@@ -59,7 +59,7 @@ class StructuredJacobian {
                                              const std::vector<GiNaC::symbol>& symbols,
                                              const std::string& meaning,
                                              equations::Vocabulary& names) const;
-  /// The same, where the caller writes what is known in a form of its own.
+  /// The same, with the known part of each row written by the caller.
   [[nodiscard]] std::vector<GiNaC::ex> solve(const std::vector<GiNaC::ex>& rhs,
                                              const std::vector<GiNaC::symbol>& symbols,
                                              const std::string& meaning,
@@ -81,13 +81,13 @@ class StructuredJacobian {
   [[nodiscard]] std::string readable(const GiNaC::ex& value) const;
   [[nodiscard]] Core core() const;
   void name_core_pivots(const GiNaC::ex& determinant, const GiNaC::ex& size);
-  /// The solution with the core alone, by Cramer's rule.
+  /// The solution for the core, by Cramer's rule.
   [[nodiscard]] std::vector<GiNaC::ex> solve_core(const std::vector<GiNaC::ex>& rhs) const;
 
   FramedClosures closures_;
   equations::Vocabulary vocabulary_;
   Core entries_;                               ///< [row][unknown]
-  std::vector<EliminationStep> first_, last_;  ///< in the order in which they are solved
+  std::vector<EliminationStep> first_, last_;  ///< in order of solution
   std::vector<std::size_t> core_rows_, core_unknowns_;
   std::vector<Pivot> pivots_;
   std::size_t core_pivot_count_ = 0;

@@ -48,8 +48,8 @@ struct Exponential {
   GiNaC::symbol square{"w"};
 };
 
-/// The expression in squares of exponentials, times a monomial and a power of i; nothing if powers
-/// of i or odd powers of the exponentials are left.
+/// The expression in squares of exponentials, times a monomial and a power of i; empty if powers of
+/// i or odd powers of the exponentials remain.
 std::optional<GiNaC::ex> in_squares(const GiNaC::ex& expression,
                                     const std::vector<Exponential>& exponentials) {
   GiNaC::ex sum;
@@ -105,7 +105,7 @@ std::optional<TrigonometricFactor> binomial(const GiNaC::ex& factor,
     return std::nullopt;
   }
   result.sine = first.is_equal(-second);
-  // Of the two signs of the angle, the same one is taken in every process.
+  // The sign of the angle is chosen so that it is the same in every process.
   if (result.angle.terms().front().second < 0) {
     result.angle = equations::AngleSum() - result.angle;
   }

@@ -1,4 +1,4 @@
-// Turns a polynomial in cosines and sines alone into a product of cosines and sines of sums.
+// Factors a polynomial in cosines and sines into cosines and sines of sums of angles.
 #pragma once
 
 #include <optional>
@@ -20,10 +20,10 @@ struct TrigonometricProduct {
   std::vector<TrigonometricFactor> factors;
 };
 
-/// Writes an expression in cosines and sines of the equations' angles as a product; nothing if it
-/// contains a length, or is no such product. With w = exp(2 i angle) for each angle, the expression
-/// is a polynomial over the rationals, up to a power of i and a monomial, and a factor of two terms
-/// is a cosine or a sine.
+/// Factors an expression in cosines and sines of the equations' angles; empty if it contains a
+/// length, or is not such a product. With w = exp(2 i angle) for each angle, the expression is a
+/// polynomial over the rationals, up to a power of i and a monomial, and a factor of two terms is a
+/// cosine or a sine.
 [[nodiscard]] std::optional<TrigonometricProduct> trigonometric_product(
     const GiNaC::ex& expression, const equations::ClosureEquations& equations);
 

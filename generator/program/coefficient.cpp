@@ -14,7 +14,7 @@ Coefficient::Coefficient(GiNaC::numeric value, GiNaC::ex origin)
 }
 
 std::string Coefficient::text() const {
-  // Nearly all coefficients are small integers, and a stream takes longer to write them.
+  // Nearly all coefficients are small integers, which a stream prints more slowly.
   if (value_.is_integer() && GiNaC::abs(value_) < 1000) {
     return std::to_string(value_.to_int());
   }

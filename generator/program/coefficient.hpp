@@ -1,4 +1,4 @@
-// Turns a number into one that knows the named constants it was made of.
+// Rational coefficients with their expressions in named constants.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -7,8 +7,8 @@
 
 namespace assur::generator::program {
 
-/// A rational number, and the expression in named constants that it equals: 25/16 as `BC`.
-/// Coefficients are compared by their values alone, and the first of equal ones gives its origin.
+/// A rational number, and an equal expression in named constants: 25/16 as `BC`. Only values are
+/// compared, and the first of equal coefficients gives the expression.
 class Coefficient {
  public:
   Coefficient() = default;

@@ -7,7 +7,7 @@ namespace assur::generator::program {
 
 namespace {
 
-/// The symbol that occurs in the most terms, if these are two or more; of equals, the first.
+/// The symbol in the largest number of terms, at least two; of several, the first.
 SymbolRank most_frequent_factor(const Polynomial& polynomial) {
   std::map<SymbolRank, int> counts;
   for (const auto& [monomial, coefficient] : polynomial) {
@@ -30,16 +30,16 @@ SymbolRank most_frequent_factor(const Polynomial& polynomial) {
   return best;
 }
 
-/// How many multiplications by coefficients a polynomial needs once these are divided by `divisor`.
+/// The number of multiplications by coefficients in a polynomial after division by `divisor`.
 std::ptrdiff_t scalings(const Polynomial& polynomial, const GiNaC::numeric& divisor) {
   return std::count_if(polynomial.begin(), polynomial.end(), [&](const auto& term) {
     return !term.first.empty() && GiNaC::abs(term.second.value()) != divisor;
   });
 }
 
-/// The positive rational number that divides all coefficients into coprime integers. It is replaced
-/// by one where these integers would be large, as for unrelated decimal fractions, and where taking
-/// it out saves no multiplication.
+/// The positive rational number that divides all coefficients into coprime integers; one instead if
+/// these integers would be large, as for unrelated decimal fractions, or if the division saves no
+/// multiplication.
 Coefficient content_of(const Polynomial& polynomial) {
   constexpr int large = 20;
   GiNaC::numeric numerators = 0;
@@ -105,8 +105,8 @@ ScaledNode ExpressionGraph::make_product(std::vector<NodeIndex> factors) {
 }
 
 ScaledNode ExpressionGraph::make_sum(std::vector<ScaledNode> terms) {
-  // Equal nodes add up; the order is by age with a positive term in front, and the sign of the
-  // whole goes to the user of the sum, so that a - b and b - a are one node.
+  // Equal nodes are added up; terms are sorted by age with a positive one in front, and the sign of
+  // the whole goes to the user of the sum, so that a - b and b - a are one node.
   std::map<NodeIndex, Coefficient> sums;
   for (const ScaledNode& term : terms) {
     sums[term.node] += term.coefficient;
@@ -234,7 +234,7 @@ NodeTable<int> ExpressionGraph::uses(const std::vector<ScaledNode>& roots) const
 void ExpressionGraph::rebuild(std::vector<ScaledNode>& roots,
                               const std::map<NodeIndex, Node>& rewritten,
                               const std::map<NodeIndex, SymbolOfNode>& symbols) {
-  // What a node became: itself, another node, or a multiple of one.
+  // The replacement of a node: itself, another node, or a multiple of one.
   std::map<NodeIndex, ScaledNode> image;
   for (const auto& [node, symbol] : symbols) {
     image.emplace(node, symbol.value);
@@ -301,7 +301,7 @@ Measure ExpressionGraph::measure(NodeIndex index) const {
     measure.length += part.length;
     measure.time += part.time;
   }
-  // All terms have the same measure, except that lengths that are constants are not counted.
+  // All terms have the same measure, except that constant lengths do not count.
   for (const ScaledNode& term : at.terms) {
     const Measure part = this->measure(term.node);
     const bool more = part.time != 0 || (measure.time == 0 && part.length != 0);

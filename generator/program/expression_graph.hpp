@@ -1,5 +1,4 @@
-// Turns polynomials into one graph of sums and products in which every common part is computed
-// once.
+// A graph of sums and products for polynomials, in which every common part is computed once.
 #pragma once
 
 #include <map>
@@ -11,9 +10,9 @@
 
 namespace assur::generator::program {
 
-/// Additions (subtractions among them), multiplications, divisions and square roots. A change of
-/// sign is free, and so are operations on numbers alone, which a compiler folds. To multiply by a
-/// number is a multiplication, even by a power of two.
+/// Additions (including subtractions), multiplications, divisions and square roots. A change of
+/// sign is free, and so are operations on numbers only, which a compiler folds. A product with a
+/// number is a multiplication, even for a power of two.
 struct OperationCount {
   std::size_t multiplications = 0;
   std::size_t additions = 0;
@@ -28,14 +27,14 @@ using NodeIndex = text::Index<class ExpressionGraph>;
 template <typename Item>
 using NodeTable = text::Table<NodeIndex, Item>;
 
-/// A node of the graph, or its negative, or any multiple.
+/// A multiple of a node of the graph.
 struct ScaledNode {
   Coefficient coefficient;
   NodeIndex node;
 };
 
 /// A directed acyclic graph of n-ary sums and products over symbols. Equal nodes are one node, and
-/// all orders are by rank and by age, so that the graph depends on its input alone.
+/// all orders are by rank and by age, so that the graph depends only on its input.
 class ExpressionGraph {
  public:
   enum class Operation : unsigned char { constant, symbol, product, sum };
@@ -43,21 +42,21 @@ class ExpressionGraph {
     Operation operation;
     SymbolRank symbol;               ///< exists only if the node is a symbol
     std::vector<NodeIndex> factors;  ///< of a product, ascending, repeated for squares
-    std::vector<ScaledNode> terms;   ///< of a sum, a positive one first if there is any
+    std::vector<ScaledNode> terms;   ///< of a sum, a positive one first if there is one
   };
 
   explicit ExpressionGraph(const SymbolOrder& order) : order_(&order) {}
 
-  /// Adds a polynomial as nested sums and products, taking out the most frequent factor first.
+  /// Adds a polynomial as nested sums and products, extracting the most frequent factor first.
   ScaledNode add(const Polynomial& polynomial);
 
-  /// Gives pairs of factors and pairs of terms that occur in several nodes a node of their own,
-  /// most frequent first. `roots` are the results that must remain.
+  /// Makes nodes of pairs of factors and pairs of terms that occur in several nodes, the most
+  /// frequent first. `roots` are the results, which remain.
   void share_pairs(std::vector<ScaledNode>& roots);
 
-  /// Replaces nodes by symbols wherever they are used. For each node it takes the multiple of a
-  /// symbol that the node equals, and the place of the root that defines the symbol and keeps the
-  /// node. Returns false if no root changes.
+  /// Replaces nodes by symbols wherever they are used. The function returns, for each node, the
+  /// multiple of a symbol that equals it, and the index of the root that defines the symbol and
+  /// keeps the node. Returns false if no root changes.
   struct SymbolOfNode {
     ScaledNode value;
     std::size_t definition;
@@ -69,15 +68,15 @@ class ExpressionGraph {
   [[nodiscard]] const SymbolOrder& order() const { return *order_; }
   /// Whether a coefficient costs a multiplication.
   [[nodiscard]] bool is_scaled(const ScaledNode& value) const;
-  /// What a node measures.
+  /// The measure of a node.
   [[nodiscard]] Measure measure(NodeIndex index) const;
-  /// Operations that one node costs once its children are known.
+  /// The operations of one node with known children.
   [[nodiscard]] OperationCount cost(NodeIndex index) const;
-  /// How often each node is used by the nodes that the roots reach, and by the roots.
+  /// The number of uses of each node by the nodes reachable from the roots, and by the roots.
   [[nodiscard]] NodeTable<int> uses(const std::vector<ScaledNode>& roots) const;
 
  private:
-  /// What equal nodes agree in: a node with the coefficients of its terms as texts.
+  /// The identity of a node: its operation, symbol, children, and coefficients as texts.
   using Key = std::tuple<Operation, SymbolRank, std::vector<NodeIndex>, std::vector<NodeIndex>,
                          std::string>;
 
@@ -89,7 +88,7 @@ class ExpressionGraph {
   bool share_factor_pair(std::vector<ScaledNode>& roots);
   bool share_term_pair(std::vector<ScaledNode>& roots);
   [[nodiscard]] NodeTable<bool> reachable(const std::vector<ScaledNode>& roots) const;
-  /// Rebuilds the nodes that the roots reach after some were rewritten or became symbols, and
+  /// Rebuilds the nodes reachable from the roots after some were rewritten or became symbols, and
   /// merges equal ones.
   void rebuild(std::vector<ScaledNode>& roots, const std::map<NodeIndex, Node>& rewritten,
                const std::map<NodeIndex, SymbolOfNode>& symbols = {});

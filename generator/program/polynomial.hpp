@@ -1,4 +1,4 @@
-// Turns GiNaC expressions into polynomials in an order of our own, the same in every process.
+// Polynomials of GiNaC expressions with an order of terms that is the same in every process.
 #pragma once
 
 #include <map>
@@ -9,16 +9,16 @@
 
 namespace assur::generator::program {
 
-/// A product of symbols, by ascending rank, a square as the rank twice.
+/// A product of symbols by ascending rank; a square repeats the rank.
 using Monomial = std::vector<SymbolRank>;
 
 /// A polynomial: coefficients by monomial, in lexicographic order of the ranks.
 using Polynomial = std::map<Monomial, Coefficient>;
 
-/// An expression as a polynomial in all symbols but constants; throws GeneratorError if it is not a
-/// polynomial.
+/// An expression as a polynomial in all symbols except constants; throws GeneratorError if it is
+/// not one.
 [[nodiscard]] Polynomial polynomial(const GiNaC::ex& expression, const SymbolOrder& order);
-/// A polynomial as an expression, with its coefficients in the names of constants.
+/// A polynomial as an expression, with coefficients in named constants.
 [[nodiscard]] GiNaC::ex expression(const Polynomial& polynomial, const SymbolOrder& order);
 
 }  // namespace assur::generator::program

@@ -57,7 +57,7 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
     }
   }
   graph_.share_pairs(roots);
-  // Once a part is replaced by its name, the whole may equal a quantity with a name, too.
+  // After a part is replaced by its name, the whole may equal a named quantity, too.
   do {
     add_known(known, named, roots);
   } while (put_names(named, roots));
@@ -79,7 +79,7 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
     const bool plain = form == equations::NamedQuantity::Form::itself;
     definitions_[name] = {name, roots[index], form, plain ? "" : named[index].meaning};
   }
-  // What is given may make a name needless that its definition needs.
+  // Given values may make a name of a definition needless.
   NodeTable<bool> read;
   read.assign(uses.size(), false);
   const std::function<void(NodeIndex)> mark = [&](NodeIndex node) {

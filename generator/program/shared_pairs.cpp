@@ -1,5 +1,4 @@
-// Turns an expression graph into one in which every pair of factors or terms that several nodes
-// share is a node of its own.
+// Makes a node of every pair of factors or terms that several nodes of an expression graph share.
 #include <algorithm>
 
 #include "program/expression_graph.hpp"
@@ -73,7 +72,7 @@ bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
   const auto ratio = [](const ScaledNode& first, const ScaledNode& second) {
     return (second.coefficient / first.coefficient).text();
   };
-  // The pair as a sum of its own, with a coefficient of one where that saves a multiplication.
+  // The pair as a sum, with a coefficient of one where that saves a multiplication.
   const auto sum_of = [&](const ScaledNode& first, const ScaledNode& second) {
     const bool number = nodes_[first.node].operation == Operation::constant;
     const Coefficient unit = number ? second.coefficient : first.coefficient;
@@ -113,7 +112,7 @@ bool ExpressionGraph::share_term_pair(std::vector<ScaledNode>& roots) {
     if (!reached[index] || nodes_[index].terms.size() < 2) {
       continue;
     }
-    // A copy: making the shared node may move the nodes.
+    // A copy: creating the shared node may move the nodes.
     const std::vector<ScaledNode> terms = nodes_[index].terms;
     for (std::size_t i = 0; i < terms.size(); ++i) {
       for (std::size_t j = i + 1; j < terms.size(); ++j) {

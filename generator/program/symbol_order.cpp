@@ -44,7 +44,7 @@ SymbolRank SymbolOrder::rank(const GiNaC::symbol& symbol) const {
 
 namespace {
 
-/// The measure of a quantity, taken from the last term of its definition.
+/// The measure of a quantity, from the last term of its definition.
 Measure measure_of(const equations::NamedQuantity& quantity, const SymbolOrder& order) {
   const Polynomial definition = polynomial(quantity.definition, order);
   Measure measure;

@@ -1,4 +1,4 @@
-// Turns the variables and named quantities of equations into ranks, an order of our own.
+// Ranks of the variables and named quantities of equations, the same in every process.
 #pragma once
 
 #include <assur/text/index.hpp>
@@ -13,17 +13,17 @@ namespace assur::generator::program {
 
 using SymbolRank = text::Index<class SymbolOrder>;
 
-/// What a quantity measures: powers of a length and of time.
+/// The unit of a quantity: powers of length and time.
 struct Measure {
   int length = 0;
   int time = 0;
 
-  /// Where it stands in a product: lengths, then directions and other ratios, then rates.
+  /// Its position in a product: lengths, then directions and other ratios, then rates.
   [[nodiscard]] int place() const { return time != 0 ? 2 : length != 0 ? 0 : 1; }
 };
 
-/// Ranks symbols by the order in which they were declared. GiNaC orders by addresses, which differ
-/// from run to run; nothing that is printed may depend on them.
+/// Ranks symbols in order of declaration. GiNaC orders by addresses, which differ from run to run;
+/// printed results must not depend on them.
 class SymbolOrder {
  public:
   /// Declares a symbol; a name declared twice keeps its first rank.
@@ -37,9 +37,9 @@ class SymbolOrder {
   [[nodiscard]] const GiNaC::symbol& symbol(SymbolRank rank) const { return entries_[rank].symbol; }
   [[nodiscard]] std::string name(SymbolRank rank) const { return symbol(rank).get_name(); }
   [[nodiscard]] const Measure& measure(SymbolRank rank) const { return entries_[rank].measure; }
-  /// The value of a constant, by its name; nothing for any other symbol.
+  /// The value of a constant, by its name; empty for any other symbol.
   [[nodiscard]] std::optional<GiNaC::numeric> constant(const std::string& name) const;
-  /// The value of an expression in constants alone; nothing for any other expression.
+  /// The value of an expression in constants only; empty for any other expression.
   [[nodiscard]] std::optional<GiNaC::numeric> number(const GiNaC::ex& expression) const;
 
  private:
@@ -54,7 +54,7 @@ class SymbolOrder {
 };
 
 /// Ranks the symbols of equations: unknowns, dimensions, inputs, rates, others that are `given`,
-/// then named quantities, and then the `known` ones.
+/// then named quantities, then the `known` ones.
 [[nodiscard]] SymbolOrder symbol_order(const equations::ImplicitEquations& equations,
                                        const equations::Vocabulary& vocabulary,
                                        const std::vector<equations::NamedQuantity>& known = {},

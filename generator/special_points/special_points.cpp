@@ -11,7 +11,7 @@ namespace {
 using structure::JointIndex;
 using structure::LinkIndex;
 
-/// A vector turned by a right angle, counter-clockwise.
+/// A vector rotated by a right angle, counter-clockwise.
 equations::Vector2 turned(const equations::Vector2& vector) { return {-vector.y, vector.x}; }
 equations::Vector2 operator+(const equations::Vector2& left, const equations::Vector2& right) {
   return {(left.x + right.x).expand(), (left.y + right.y).expand()};
@@ -23,8 +23,8 @@ equations::Vector2 operator*(const GiNaC::ex& factor, const equations::Vector2& 
   return {(factor * vector.x).expand(), (factor * vector.y).expand()};
 }
 
-/// How the origin of a closure link's frame moves, reached by one side: dp/dq, the velocity without
-/// the unknowns' rates, and the acceleration without their second rates.
+/// The motion of the origin of a closure link's frame, reached from one side: dp/dq, the velocity
+/// without the unknowns' rates, and the acceleration without their second rates.
 struct Origin {
   std::vector<equations::Vector2> by_unknown;
   equations::Vector2 velocity;
@@ -82,7 +82,7 @@ class SpecialPointDerivation {
     SpecialPoint point{
         link, GiNaC::symbol("S_" + word(link) + "_x"), GiNaC::symbol("S_" + word(link) + "_y"), {}};
     const Origin along_tree = tree_origin(link);
-    // The residual is the chord's place on its second link minus that on its first.
+    // The residual is the chord's position on its second link minus that on its first.
     const int ahead = chord.second == link ? 1 : -1;
     const Origin through_chord = chord_origin(along_tree, loops[0], ahead);
     point.sides[0] = side(point, entry.other(link), along_tree);
@@ -99,7 +99,7 @@ class SpecialPointDerivation {
     result_.points.push_back(std::move(point));
   }
 
-  /// The expression where no unknown has a second rate.
+  /// The expression with all second rates of unknowns zero.
   [[nodiscard]] GiNaC::ex unaccelerated(GiNaC::ex expression) const {
     for (const equations::Variable& unknown : equations_.unknowns) {
       expression = expression.subs(unknown.second_rate == 0);
@@ -127,8 +127,8 @@ class SpecialPointDerivation {
     return origin;
   }
 
-  /// Through the chord the origin is where the tree puts it, minus `ahead` times the residual. The
-  /// residual is zero, but its derivatives contain other unknowns. The right-hand sides are the
+  /// Through the chord, the origin is its position by the tree minus `ahead` times the residual.
+  /// The residual is zero, but its derivatives contain other unknowns. The right-hand sides are the
   /// negatives of its time derivatives without the unknowns' rates, or without their second rates.
   [[nodiscard]] Origin chord_origin(Origin origin, std::size_t loop, int ahead) const {
     const std::size_t row = 2 * loop;
@@ -146,7 +146,7 @@ class SpecialPointDerivation {
     return origin;
   }
 
-  /// The motion of S as of a point of a rigid link whose frame has this origin.
+  /// The motion of S as a point of a rigid link whose frame has this origin.
   [[nodiscard]] SpecialPointSide side(const SpecialPoint& point, LinkIndex by,
                                       const Origin& origin) const {
     const equations::Vector2 arm{point.x, point.y};
@@ -171,7 +171,7 @@ class SpecialPointDerivation {
   }
 
   /// Sets the line on which the two contributions of a side are parallel: their cross product is
-  /// zero. Returns why there is no such line, or an empty text.
+  /// zero. Returns the reason if there is no such line, else an empty text.
   [[nodiscard]] std::string find_line(const SpecialPoint& point, SpecialPointSide& side) const {
     const std::string where = "by " + word(side.by) + " link " + word(point.link);
     std::string movers;

@@ -1,5 +1,5 @@
-// Turns loop closures into special Assur points: points of the closure links that the unknowns of a
-// side move along one known direction, so that velocities follow from vector diagrams.
+// Special Assur points: points of closure links that the unknowns of a side move in one known
+// direction, so that velocities follow from vector diagrams.
 #pragma once
 
 #include <array>
@@ -17,29 +17,28 @@ namespace assur::generator::special_points {
 struct SpecialPointSide {
   structure::LinkIndex by;                        ///< the neighbour
   std::vector<equations::Vector2> contributions;  ///< for each unknown, in the coordinates of S
-  std::vector<std::size_t> moving;  ///< the unknowns whose contribution is not zero everywhere
+  std::vector<std::size_t> moving;  ///< the unknowns whose contribution is not always zero
   equations::Vector2 normal;        ///< not of unit length
   GiNaC::ex offset;
   equations::Vector2 known_velocity;      ///< in S and the inputs' rates
   equations::Vector2 known_acceleration;  ///< in S, all rates, and the inputs' second rates
 };
 
-/// The special point of one closure link: where the lines of its two sides cross.
+/// The special point of one closure link: the intersection of the lines of its two sides.
 struct SpecialPoint {
   structure::LinkIndex link;
   GiNaC::symbol x, y;  ///< of S in the fixed directions, from the origin of the link's frame
   std::array<SpecialPointSide, 2> sides;
 };
 
-/// The special points of a model, one for each closure link: a link all of whose joints are
-/// internal.
+/// The special points of a model, one for each closure link: a link with internal joints only.
 struct SpecialPoints {
   std::vector<SpecialPoint> points;
   bool defined = true;  ///< whether every side of every closure link has its line
-  std::string reason;   ///< if not, why
+  std::string reason;   ///< the reason if not
 };
 
-/// The links all of whose joints are internal, in ascending order.
+/// The links with internal joints only, in ascending order.
 [[nodiscard]] std::vector<structure::LinkIndex> closure_links(const structure::Group& group);
 
 /// Derives the method of Quintero, Calle, Diaz and Henao (2011). The sides of a closure link are

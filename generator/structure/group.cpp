@@ -126,7 +126,7 @@ std::string loop_name(const Group& group, const SpanningTree& tree, JointIndex c
   std::vector<JointIndex> loop =
       joint.external() ? std::vector<JointIndex>{} : tree.path_to(group, joint.first);
   std::vector<JointIndex> back = tree.path_to(group, joint.second);
-  // The joints that both paths share are passed there and back, so they drop out of the loop.
+  // Joints shared by both paths are passed there and back, so they drop out of the loop.
   while (!loop.empty() && !back.empty() && loop.front() == back.front()) {
     loop.erase(loop.begin());
     back.erase(back.begin());

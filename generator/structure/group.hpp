@@ -1,4 +1,4 @@
-// Turns the links of an Assur group, spelled by their joints, into a graph of links and joints.
+// Assur groups as graphs of links and joints.
 #pragma once
 
 #include <assur/text/index.hpp>
@@ -17,7 +17,7 @@ using LinkTable = text::Table<LinkIndex, Item>;
 template <typename Item>
 using JointTable = text::Table<JointIndex, Item>;
 
-/// The frame, or the moving links that the external joints attach to; it is no link of the group.
+/// The frame, or the moving links that the external joints attach to; not a link of the group.
 inline constexpr LinkIndex base_link{};
 
 /// A joint of a group. Its slide is measured from `first` to `second`.
@@ -31,11 +31,11 @@ struct Joint {
   [[nodiscard]] LinkIndex other(LinkIndex link) const { return first == link ? second : first; }
 };
 
-/// An Assur group as a graph. A link is the word of its joints, so that a joint in two words is
-/// internal and a joint in one word is external, i.e. attached to the base.
+/// An Assur group as a graph. A link is spelled by the word of its joints; a joint in two words is
+/// internal and one in a single word external, i.e. attached to the base.
 class Group {
  public:
-  /// `spelling` gives the order in which a kind spells its joints, with separators: `BCG-EDF`.
+  /// `spelling` is the order of the joints in the names of kinds, with separators: `BCG-EDF`.
   Group(std::string name, int assur_class, std::vector<std::string> links, std::string spelling);
 
   [[nodiscard]] const std::string& name() const { return name_; }
@@ -59,8 +59,8 @@ class Group {
   JointTable<Joint> joints_;
 };
 
-/// The spanning tree that a breadth-first walk from the base finds, and the joints left over: each
-/// of those closes one independent loop.
+/// The spanning tree of a breadth-first walk from the base, and the remaining joints, each of which
+/// closes one independent loop.
 struct SpanningTree {
   LinkTable<JointIndex> entry;         ///< for each link the joint by which the walk enters it
   std::vector<LinkIndex> visit_order;  ///< links in the order of the walk
@@ -75,7 +75,7 @@ struct SpanningTree {
 /// The loop that a chord closes, as the word of its joints: `BCDEB`.
 [[nodiscard]] std::string loop_name(const Group& group, const SpanningTree& tree, JointIndex chord);
 
-/// The groups that the generator knows, as rows of data.
+/// The groups known to the generator.
 [[nodiscard]] const std::vector<Group>& known_groups();
 [[nodiscard]] const Group& group_named(const std::string& name);
 

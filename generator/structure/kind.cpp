@@ -12,7 +12,7 @@ namespace assur::generator::structure {
 
 namespace {
 
-/// The kind whose joint `image[j]` has the type that joint j has in `kind`.
+/// The kind whose joint `image[j]` has the type of joint j in `kind`.
 Kind moved(const Kind& kind, const JointTable<JointIndex>& image) {
   Kind result(kind.size());
   for (const JointIndex joint : kind.keys()) {

@@ -1,5 +1,4 @@
-// Turns a group into the table that a paper prints of its models, word for word, for numbering the
-// models and for comparison.
+// Tables of models as papers print them, for numbering the models and for comparison.
 #pragma once
 
 #include <string>
@@ -19,7 +18,7 @@ struct PrintedRow {
   [[nodiscard]] bool rigid() const { return family == "3"; }
 };
 
-/// Table 2 of Mitsi, Popescu and Luca for the tetrad; null for a group that no paper tabulates.
+/// Table 2 of Mitsi, Popescu and Luca for the tetrad; null for a group without a published table.
 [[nodiscard]] const std::vector<PrintedRow>* printed_table(const Group& group);
 
 }  // namespace assur::generator::structure

@@ -1,4 +1,4 @@
-"""Turns invalid input into exceptions; their text is the line that the command prints."""
+"""Exceptions of the package; their text is the line that the command prints."""
 
 
 class Error(Exception):

@@ -1,4 +1,4 @@
-"""Turns the numbers in arrays of statuses and outcomes into names."""
+"""Enumerations for the numbers in arrays of statuses and outcomes."""
 
 import enum
 

@@ -1,11 +1,11 @@
-"""Turns results into tables of pandas, whose columns have the names of the command's CSV."""
+"""Results as tables of pandas, whose columns have the names of the command's CSV."""
 
 from assur._assur import Batch, Branch, Events, Samples, Solution, Sweep
 from assur.errors import NotWanted
 from assur.statuses import Outcome
 
-# The columns of a link, a joint and an output: of which array, and for an array of more than one
-# number the index.
+# The columns of a link, a joint and an output: the array, and the index if it has more than one
+# number.
 _LINK = {"x": ("pose", 0), "y": ("pose", 1), "theta": ("pose", 2),
          "vx": ("velocity", 0), "vy": ("velocity", 1), "omega": ("velocity", 2),
          "ax": ("acceleration", 0), "ay": ("acceleration", 1), "alpha": ("acceleration", 2)}
@@ -22,7 +22,7 @@ _OUTPUT = {"x": ("position", 0), "y": ("position", 1),
 
 
 def _force_columns(forces, deviation=""):
-    """Of efforts, joints and the ground, and of worst case and rss where they are there."""
+    """The columns of efforts, joints and the ground, and of worst case and rss if present."""
     columns = {f"{name}.{deviation}effort": effort for name, effort in forces["efforts"].items()}
     for name, joint in (*forces["joints"].items(), ("ground", forces["ground"])):
         on = {f"{name}.{link}": force for link, force in joint.get("forces", {}).items()}
@@ -34,7 +34,7 @@ def _force_columns(forces, deviation=""):
 
 
 def _wanted_force_columns(result):
-    """Of all rows; none where the scene does not want forces."""
+    """The columns of forces of all rows; none if the scene does not request forces."""
     try:
         forces = result.forces
     except NotWanted:
@@ -47,7 +47,7 @@ def _wanted_force_columns(result):
 
 
 def _state_columns(states):
-    """Of all rows: what the scene does not want has no column."""
+    """The columns of all rows; results that the scene does not request have none."""
     columns = {}
     for parts, fields in ((states.links, _LINK), (states.joints, _JOINT),
                           (states.outputs, _OUTPUT)):

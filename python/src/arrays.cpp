@@ -6,7 +6,7 @@ namespace assur::python {
 
 py::array view(const py::dtype& type, std::vector<py::ssize_t> shape,
                std::vector<py::ssize_t> strides, const void* memory, const py::object& owner) {
-  static const double nothing = 0;  // of an empty array, which without an address would get its own
+  static const double nothing = 0;  // address for an empty array; with none, NumPy would allocate
   py::array array(type, std::move(shape), std::move(strides), memory == nullptr ? &nothing : memory,
                   owner);
   py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;

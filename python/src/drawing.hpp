@@ -1,4 +1,4 @@
-// Turns a scene, with other values of some parameters, into pictures for notebooks and files.
+// Pictures of a scene, with other values of some parameters, for notebooks and files.
 #pragma once
 
 #include <assur/mechanism/drawing.hpp>

@@ -10,7 +10,7 @@ namespace assur::python {
 
 namespace {
 
-/// A name from a file may hold bytes that are no text.
+/// A name from a file may contain invalid UTF-8.
 py::object line_of(const std::exception& error) {
   const std::string line = error.what();
   return py::reinterpret_steal<py::object>(

@@ -1,4 +1,4 @@
-// Turns what the library and the module refuse into exceptions of the Python package.
+// Exceptions of the Python package, and their translation from errors of the library.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -18,26 +18,26 @@ class UnknownName : public text::InputError {
               const std::vector<std::string>& known);
 };
 
-/// A value that is no number, or an array of a shape that does not fit.
+/// A value that is not a number, or an array of the wrong shape.
 class ShapeError : public text::InputError {
  public:
   using InputError::InputError;
 };
 
-/// A result that the scene does not ask for.
+/// A result that the scene does not request.
 class NotWanted : public text::InputError {
  public:
   using InputError::InputError;
 };
 
-/// Registers how these errors, and the library's, are raised as exceptions of Python.
+/// Registers the translation of these errors, and of the library's, to Python exceptions.
 void translate_errors();
 
 /// The same error with the scene's file in front.
 [[nodiscard]] mechanism::OverConstrained in_file(const std::string& file,
                                                  const mechanism::OverConstrained& error);
 
-/// Returns what `use` returns. An error of the mechanism that it throws gets the scene's file in
+/// Returns the result of `use`. An error of the mechanism that it throws gets the scene's file in
 /// front, as in the command.
 template <typename Use>
 auto in_scene(const std::string& file, const Use& use) {

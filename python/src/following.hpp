@@ -1,5 +1,5 @@
-// What a batch follows: a branch that begins with a number, with the reference, or where an earlier
-// result ends.
+// The branch that a batch follows: given by a configuration's number, by the reference, or by the
+// end of an earlier result.
 #pragma once
 
 #include <optional>
@@ -11,20 +11,19 @@
 
 namespace assur::python {
 
-/// A configuration, by the values at which it is one and its number there, from 1.
+/// A configuration: parameter values, and its number at these values, from 1.
 struct Place {
   Replaced replaced;
   std::size_t number;
 };
 
-/// A configuration of the first item that has it: the one with a number, or the one nearest to the
-/// reference; or that which continues an earlier one.
+/// The first configuration of the branch: the one with a number, or the one nearest to the
+/// reference, at the first item where it exists; or the continuation of an earlier one.
 struct NearestToReference {};
 using Following = std::variant<std::size_t, NearestToReference, Place>;
 
-/// Takes the keywords `branch`, `nearest` and `from_` out of the parameters' ones. Nothing where
-/// none of them is given; throws ShapeError for more than one, and for values that they cannot
-/// have.
+/// Removes the keywords `branch`, `nearest` and `from_` from those of the parameters. Empty if none
+/// of them is given; throws ShapeError for more than one, and for invalid values.
 [[nodiscard]] std::optional<Following> following_given(const PlannedScene& planned,
                                                        py::kwargs& keywords);
 

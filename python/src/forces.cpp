@@ -10,7 +10,7 @@ namespace assur::python {
 
 namespace {
 
-/// The dictionary of a joint; an empty one is added for the first of its columns.
+/// The dictionary of a joint; added empty for the joint's first column.
 py::dict joint_in(const py::dict& joints, const std::string& name) {
   const py::str key(name);
   if (!joints.contains(key)) {

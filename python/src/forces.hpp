@@ -1,4 +1,4 @@
-// Turns the numbers of columns of forces into dictionaries of arrays.
+// Dictionaries of arrays from the columns of forces.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -20,7 +20,7 @@ using ForcesAt =
                                              const ForcesAt& at);
 
 /// The forces of rows, with `reason`; with sensitivities wanted, also these, with worst case and
-/// rss. Throws NotWanted where the scene does not want forces.
+/// rss. Throws NotWanted if the scene does not request forces.
 [[nodiscard]] pybind11::dict forces_in(const RowsView& of, const pybind11::object& owner);
 
 }  // namespace assur::python

@@ -15,7 +15,7 @@ std::string shape_of(const py::handle& array) {
   return py::cast<std::string>(py::str(array.attr("shape")));
 }
 
-/// A whole number itself, of anything else its type.
+/// The text of a whole number; for any other value the name of its type.
 std::string shown(const py::handle& value) {
   return PyLong_Check(value.ptr()) != 0 ? py::cast<std::string>(py::str(value)) : type_of(value);
 }
@@ -208,7 +208,7 @@ std::vector<std::pair<mechanism::ParameterIndex, double>> Columns::row(py::ssize
   row.reserve(columns.size());
   for (const Column& column : columns) {
     double value = 0;
-    std::memcpy(&value, column.first + at * column.stride, sizeof value);  // it may not be aligned
+    std::memcpy(&value, column.first + at * column.stride, sizeof value);  // it may be unaligned
     row.emplace_back(column.parameter, value);
   }
   return row;

@@ -64,7 +64,7 @@ Section section_of(std::vector<std::string> names, std::size_t first, const mech
   return section;
 }
 
-/// Writes the part at a place of its section.
+/// Writes the part at index `place` of its section.
 template <typename Part>
 void write_part(const Section& section, std::size_t place, const Part& part, const Spread& spread,
                 double* row) {
@@ -89,7 +89,7 @@ std::vector<std::string> names_at(const text::Table<Index, Item>& table,
 
 }  // namespace
 
-// No table of fields is destroyed: a daemon's thread may still solve when the process ends.
+// Tables of fields are never destroyed: a daemon thread may still be solving when the process ends.
 template <>
 const std::vector<Field<Frame>>& fields<Frame>() {
   static const auto& all = *new std::vector<Field<Frame>>{

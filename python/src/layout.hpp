@@ -1,4 +1,4 @@
-// Turns a plan into the layout of a row: which numbers of one configuration it holds, and where.
+// The layout of a row: the numbers of one configuration and their offsets, from a plan.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@
 
 namespace assur::python {
 
-/// Stands for an extent: the number of the mechanism's parameters.
+/// Stands for an extent equal to the number of the mechanism's parameters.
 inline constexpr std::ptrdiff_t parameters = -1;
 
-/// What a scene has to ask for so that a field is in the row.
+/// The request in a scene that puts a field in the row.
 enum class Need : unsigned char {
   position,
   velocity,
@@ -39,26 +39,26 @@ struct Field {
 template <typename Part>
 [[nodiscard]] const std::vector<Field<Part>>& fields();
 
-/// Where a row holds the parts of one kind, one after the other, all alike.
+/// The section of a row with the parts of one kind, consecutive and of equal layout.
 struct Section {
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
   std::vector<std::string> names;    ///< of the parts
-  std::size_t first = 0, width = 0;  ///< of the first part; of each of them
-  std::vector<std::size_t> offsets;  ///< of each field in a part; `none` if it is not wanted
+  std::size_t first = 0, width = 0;  ///< offset of the first part; size of each part
+  std::vector<std::size_t> offsets;  ///< of each field in a part; `none` if it is not requested
 
   [[nodiscard]] std::size_t end() const { return first + names.size() * width; }
 };
 
-/// Where a row holds forces: the numbers of the columns, then, with sensitivities wanted, their
-/// derivatives by one parameter after the other, their worst case and their rss.
+/// The section of a row with forces: the numbers of the columns, then, if sensitivities are
+/// requested, their derivatives with respect to each parameter, their worst case and their rss.
 struct ForceSection {
-  std::vector<mechanism::ForceColumn> columns;  ///< none where no forces are wanted
-  std::vector<std::string> parameters;          ///< of the derivatives; none where not wanted
+  std::vector<mechanism::ForceColumn> columns;  ///< empty if no forces are requested
+  std::vector<std::string> parameters;          ///< of the derivatives; empty if not requested
   std::size_t first = 0;
 
-  /// Where the numbers are, or the derivatives by parameter number `block` from 1, or, after these,
-  /// worst case and rss.
+  /// The offset of the numbers (block 0), of the derivatives with respect to parameter number
+  /// `block`, from 1, or, after these, of worst case and rss.
   [[nodiscard]] std::size_t block(std::size_t block) const {
     return first + block * columns.size();
   }
@@ -74,11 +74,11 @@ struct Layout {
   [[nodiscard]] std::size_t width() const { return forces.end(); }
   template <typename Part>
   [[nodiscard]] const Section& section() const;
-  /// Writes the numbers of a configuration but its forces; those that are not known are NaN.
+  /// Writes the numbers of a configuration except its forces; unknown ones are NaN.
   void write(const mechanism::Plan& plan, const mechanism::Configuration& configuration,
              const mechanism::Spread& spread, double* row) const;
-  /// The numbers of the section of forces, and the reason why some of them are NaN. Throws
-  /// MechanismError for a load that has no value.
+  /// The numbers of the section of forces, and the reason if some are NaN. Throws MechanismError
+  /// for a load that has no value.
   [[nodiscard]] std::pair<std::vector<double>, std::string> forces_of(
       const mechanism::Plan& plan, const mechanism::Values& values,
       const mechanism::Configuration& configuration) const;

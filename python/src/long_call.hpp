@@ -1,4 +1,4 @@
-// Turns long calls into ones that let other threads of Python run, and that Ctrl-C ends.
+// Release of the interpreter's lock during long calls, and their interruption by Ctrl-C.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -9,8 +9,8 @@
 
 namespace assur::python {
 
-/// Lets other threads of Python run while it lives, so that nothing may touch an object of Python
-/// then, not even the count of its references.
+/// Releases the interpreter's lock during its lifetime, in which no Python object may be touched,
+/// not even its reference count.
 class OthersRun {
  public:
   OthersRun() : state_(PyEval_SaveThread()) {}
@@ -18,7 +18,7 @@ class OthersRun {
   OthersRun& operator=(const OthersRun&) = delete;
   ~OthersRun() { take_lock(); }
 
-  /// Throws what a signal raises, as KeyboardInterrupt.
+  /// Throws the exception that a signal raises, such as KeyboardInterrupt.
   void expect_no_signal() {
     std::optional<pybind11::error_already_set> raised;
     take_lock();
@@ -32,8 +32,8 @@ class OthersRun {
   }
 
  private:
-  /// Where the interpreter has ended, it unwinds a daemon's thread here. Objects that this would
-  /// release are gone by then, so the thread waits for the end of the process instead.
+  /// After its end the interpreter would unwind a daemon thread here, and release objects that no
+  /// longer exist; so the thread waits for the end of the process instead.
   void take_lock() noexcept {
     try {
       PyEval_RestoreThread(state_);
@@ -47,10 +47,10 @@ class OthersRun {
   PyThreadState* state_;
 };
 
-/// The same for a call that takes long: it asks now and then for signals.
+/// The same for a long call: it checks for signals now and then.
 class LongCall {
  public:
-  /// Throws what a signal raises; cheap to call.
+  /// Throws the exception that a signal raises; cheap to call.
   void go_on() {
     const auto now = std::chrono::steady_clock::now();
     if (now >= next_) {

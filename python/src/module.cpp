@@ -1,4 +1,4 @@
-// Turns the library of mechanisms into the extension module of the Python package.
+// The extension module of the Python package.
 #include <pybind11/numpy.h>
 
 #include <assur/mechanism/scene_file.hpp>
@@ -16,7 +16,7 @@ PYBIND11_MODULE(_assur, module) {
   options.disable_function_signatures();
   module.doc() = "Planar linkages in closed form; see the package assur.";
   module.attr("__version__") = version;
-  // The first use of NumPy imports it. If two threads made it, each could wait for the other.
+  // The first use of NumPy imports it. Two threads that import it at once could deadlock.
   (void)py::dtype::of<double>();
   translate_errors();
   bind_scene(module);

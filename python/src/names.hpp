@@ -1,4 +1,4 @@
-// Turns lists of names into tuples of texts.
+// Tuples of names for Python.
 #pragma once
 
 #include <pybind11/stl.h>

@@ -1,4 +1,4 @@
-// Turns rows into the numbers of each link, slide and output, by its name.
+// The numbers of each link, slide and output in rows, by name.
 #pragma once
 
 #include <cstddef>

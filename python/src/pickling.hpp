@@ -1,4 +1,4 @@
-// Turns results into tuples that pickle stores, and back: numbers go as the bytes of arrays.
+// Pickling of results: numbers are stored as the bytes of arrays.
 #pragma once
 
 #include <pybind11/pybind11.h>

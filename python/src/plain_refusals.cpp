@@ -1,4 +1,5 @@
-// Turns calls with arguments that no function takes into one line, in place of a list of C++ types.
+// One-line errors for calls with arguments that no function accepts, in place of pybind11's list of
+// C++ types.
 #include <string>
 
 #include "bindings.hpp"
@@ -28,7 +29,7 @@ std::string types_of(const py::args& args, const py::kwargs& keywords, bool is_m
   return types;
 }
 
-/// Adds, as the last one that is tried, a function that takes any arguments and refuses them.
+/// Adds a last overload that accepts any arguments and refuses them.
 void refuse_other_arguments(const py::object& scope, const std::string& owner,
                             const std::string& name, const py::object& function, bool is_method) {
   const std::string shown = name == "__init__" ? owner : owner + (owner.empty() ? "" : ".") + name;

@@ -1,4 +1,4 @@
-// Turns a scene, once, into a plan that solves any number of sets of values.
+// Scenes and plans, with the row layouts of their results, for Python.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -13,7 +13,7 @@
 
 namespace assur::python {
 
-/// A scene, and the text that it was read from, which a page solves anew.
+/// A scene, and the text from which it was read, which a page solves anew.
 struct ReadScene : mechanism::Scene {
   mechanism::SceneText source;
 };
@@ -23,11 +23,11 @@ using SharedScene = std::shared_ptr<ReadScene>;
 [[nodiscard]] SharedScene scene_of(const std::string& text, const std::string& file,
                                    const std::vector<std::string>& settings);
 
-/// The scene that a caller gives. Throws TypeError for anything else.
+/// The scene in an argument. Throws TypeError for anything else.
 [[nodiscard]] SharedScene scene_given(const pybind11::handle& value);
 
-/// A plan, the scene that it is of, and the layouts of rows: of a configuration, and of the rates
-/// of the motions through one.
+/// A plan, its scene, and the layouts of rows: of a configuration, and of the rates of the motions
+/// through one.
 struct PlannedScene {
   explicit PlannedScene(SharedScene of);
 
@@ -40,7 +40,7 @@ struct PlannedScene {
 using SharedPlan = std::shared_ptr<PlannedScene>;
 using PlanClass = pybind11::class_<PlannedScene, SharedPlan>;
 
-// Each adds a method of plans that takes many values, and the classes of its results.
+// Each adds a method of plans for many values, and the classes of its results.
 void add_solve_batch(pybind11::module_& module, PlanClass& plan);
 void add_sweep(pybind11::module_& module, PlanClass& plan);
 

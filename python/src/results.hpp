@@ -1,4 +1,4 @@
-// The results that later calls take: a configuration of a solution, and a batch.
+// Results that later calls take as arguments: a configuration of a solution, and a batch.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,14 @@ struct SolvedConfiguration : RowsView {
   std::size_t place;
 };
 
-/// The configurations of many items; of one that follows a branch, one row for each item.
+/// The configurations of many items; if the batch follows a branch, one row for each item.
 struct SolvedBatch : RowsView {
   SharedPlan planned;
   std::vector<std::uint8_t> status, gap;
   std::vector<std::int64_t> item, configuration, offsets;
-  std::map<std::int64_t, std::string> reasons;  ///< of the gaps in a batch that follows a branch
-  std::optional<Place> last;                    ///< the last row of such a batch that is no gap
+  std::map<std::int64_t, std::string>
+      reasons;                ///< reasons of the gaps in a batch that follows a branch
+  std::optional<Place> last;  ///< the last row of such a batch that is not a gap
 };
 
 }  // namespace assur::python

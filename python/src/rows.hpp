@@ -1,4 +1,4 @@
-// Turns configurations into rows of numbers, of which arrays are views.
+// Configurations as rows of numbers, of which arrays are views.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace assur::python {
 
-/// Rows of one layout, in one piece of memory; no row is added once an array is a view of it.
+/// Rows of one layout, contiguous in memory; no row may be added once an array views them.
 class Rows {
  public:
   Rows(mechanism::Plan plan, std::shared_ptr<const Layout> layout)
       : plan_(std::move(plan)), layout_(std::move(layout)) {}
 
-  /// Rows that were read from `numbers`, `regularities` and `reasons`.
+  /// Rows from stored `numbers`, `regularities` and `reasons`.
   Rows(mechanism::Plan plan, std::shared_ptr<const Layout> layout, std::vector<double> numbers,
        std::vector<unsigned char> regular, std::vector<std::string> reasons)
       : plan_(std::move(plan)),
@@ -30,10 +30,10 @@ class Rows {
   void reserve(std::size_t rows);
   /// Throws MechanismError for a load that has no value, and then adds nothing.
   void add(const mechanism::Configuration& configuration, const mechanism::Values& values);
-  /// Adds a row in which no force is known.
+  /// Adds a row whose forces are all NaN.
   void add_without_forces(const mechanism::Configuration& configuration,
                           const mechanism::Spread& spread);
-  /// Adds a row in which no number is known.
+  /// Adds a row of NaN.
   void add_gap();
 
   [[nodiscard]] std::size_t count() const { return regular_.size(); }
@@ -41,11 +41,12 @@ class Rows {
   [[nodiscard]] const double* row(std::size_t at) const {
     return numbers_.data() + at * layout_->width();
   }
-  /// One byte for each row, 1 where it is regular.
+  /// One byte for each row, 1 if it is regular.
   [[nodiscard]] const unsigned char* regular() const { return regular_.data(); }
   [[nodiscard]] const std::vector<double>& numbers() const { return numbers_; }
   [[nodiscard]] const std::vector<unsigned char>& regularities() const { return regular_; }
-  /// With forces wanted, for each row why some force is not determined; empty where all are.
+  /// If forces are requested, the reason for each row why some force is not determined; empty if
+  /// all are.
   [[nodiscard]] const std::vector<std::string>& reasons() const { return reasons_; }
 
  private:

@@ -1,4 +1,4 @@
-// Turns a scene's tolerances and a seed into arrays of outputs under random deviations.
+// Sampling of a scene's tolerances: arrays of outputs under random deviations, from a seed.
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -29,7 +29,7 @@ using mechanism::Sampling;
 
 constexpr std::size_t columns_before_outputs = 2;  // the sample, and its outcome
 
-/// What a campaign is made of.
+/// The arguments of a sampling campaign.
 struct SampleOrder {
   SharedScene scene;
   std::size_t branch;
@@ -148,7 +148,7 @@ std::shared_ptr<Sampled> sampled(const py::object& scene_of, const py::object& c
   });
 }
 
-/// Stores the rows, and from what the rest is made anew.
+/// Stores the rows, and the data from which the rest is rebuilt.
 py::tuple sampled_state(const Sampled& samples) {
   const SampleOrder& order = samples.order;
   std::vector<std::string> names;
@@ -205,7 +205,7 @@ py::object array_of(const Vector& numbers, std::vector<py::ssize_t> shape) {
   return array;
 }
 
-/// The columns of the wanted forces. Throws NotWanted where there are none.
+/// The columns of the requested forces. Throws NotWanted if there are none.
 std::vector<mechanism::ForceColumn> force_columns_of(const Sampled& samples) {
   std::vector<mechanism::ForceColumn> columns;
   for (const mechanism::NominalForce& force : samples.sampling.nominal_forces()) {

@@ -1,4 +1,4 @@
-// Turns scene files, their text and dictionaries into scenes, and scenes into pictures.
+// Scenes from files, text, dictionaries and other programs' formats, and their pictures.
 #include <pybind11/stl.h>
 
 #include <assur/mechanism/imported_scene.hpp>
@@ -25,7 +25,7 @@ SharedScene scene_of(const std::string& text, const std::string& file,
 
 namespace {
 
-/// A file's name as `open` takes it, and with the errors that `open` raises.
+/// A file name of any type that `open` accepts, with the same errors.
 std::filesystem::path path_given(const py::object& path) {
   PyObject* bytes = nullptr;
   if (PyUnicode_FSConverter(path.ptr(), &bytes) == 0) {
@@ -41,7 +41,7 @@ SharedScene read(const py::object& path, const py::object& values, const py::kwa
   return scene_of(text::read_input_file(file), file.string(), settings);
 }
 
-/// The JSON text of a dictionary, in which NumPy's numbers and arrays may stand.
+/// The JSON text of a dictionary, which may contain NumPy numbers and arrays.
 std::string json_text_of(const py::object& scene) {
   if (PyUnicode_Check(scene.ptr()) != 0) {
     return utf8_of(scene, "scene: what is parsed");
@@ -107,7 +107,7 @@ std::string page(const Scene& scene, const py::object& branch) {
   });
 }
 
-/// The scene in another program's file, or in a text that it shares.
+/// The scene in another program's file, or in a text that the program shares.
 mechanism::ImportedScene import_scene(const py::object& source, const std::string& driver) {
   if (PyUnicode_Check(source.ptr()) != 0) {
     const std::string text = utf8_of(source, "source: what is imported");
@@ -121,7 +121,7 @@ mechanism::ImportedScene import_scene(const py::object& source, const std::strin
   return mechanism::import_scene(text::read_input_file(file), file.string(), driver);
 }
 
-/// None where there is no picture: a notebook then shows the text.
+/// None if there is no picture: a notebook then shows the text.
 py::object picture_of_scene(const Scene& scene) {
   try {
     return py::str(svg_of_scene(scene, py::int_(0), py::bool_(false)));

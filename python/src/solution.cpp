@@ -1,4 +1,4 @@
-// Turns solved scenes into the classes of solutions, their configurations and their families.
+// Python classes of solutions, their configurations and their families.
 #include <pybind11/stl.h>
 
 #include <assur/mechanism/report.hpp>
@@ -21,7 +21,7 @@ namespace {
 using mechanism::Family;
 using mechanism::Nearest;
 
-/// A family, and the names of its links.
+/// A family of configurations, and the names of its links.
 struct SolvedFamily {
   SharedSolution solution;
   const Family* family;
@@ -114,7 +114,7 @@ std::string svg_of_one(const SolvedConfiguration& one) {
   return svg(*one.solution, {number, false});
 }
 
-/// None where there is no picture: a notebook then shows the text.
+/// None if there is no picture: a notebook then shows the text.
 template <typename Solved>
 py::object picture(const Solved& solved, std::string (*svg)(const Solved&)) {
   try {

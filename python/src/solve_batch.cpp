@@ -1,4 +1,4 @@
-// Turns arrays of parameters' values into the configurations of all of them, row by row.
+// Solutions for arrays of parameter values, as rows of configurations.
 #include <pybind11/stl.h>
 
 #include <algorithm>
@@ -21,10 +21,10 @@ namespace {
 
 using mechanism::ParameterIndex;
 
-/// Of an item whose values cannot be solved; mechanism::SolutionStatus has the others.
+/// The status of an item whose values cannot be solved; mechanism::SolutionStatus has the others.
 constexpr std::uint8_t refused = 3;
 
-/// Adds an item, all of whose configurations are rows.
+/// Adds an item, with a row for each of its configurations.
 void add_item(const mechanism::Plan& plan, const Columns& columns, py::ssize_t item,
               mechanism::Values& values, mechanism::Solution& solution, Rows& rows,
               SolvedBatch& batch) {
@@ -66,7 +66,7 @@ std::shared_ptr<SolvedBatch> solve_all(const SharedPlan& planned, const Columns&
   return batch;
 }
 
-/// Makes the rows of one branch through the items.
+/// Computes the rows of one branch through the items.
 class BatchFollower {
  public:
   BatchFollower(const SharedPlan& planned, const Columns& columns, const Following& following)
@@ -93,7 +93,7 @@ class BatchFollower {
   }
 
  private:
-  /// The parameters that have an array, or another value where the branch begins.
+  /// The parameters that have an array, or a different value at the start of the branch.
   [[nodiscard]] std::vector<ParameterIndex> changing() const {
     std::vector<ParameterIndex> result;
     for (const Columns::Column& column : columns_.columns) {
@@ -188,7 +188,7 @@ class BatchFollower {
     return place;
   }
 
-  /// Where a later batch can begin.
+  /// The start for a later batch.
   [[nodiscard]] std::optional<Place> last_place() const {
     const auto gap = std::ranges::find(batch_->gap.rbegin(), batch_->gap.rend(), 0);
     if (gap == batch_->gap.rend()) {
@@ -223,7 +223,7 @@ class BatchFollower {
   std::shared_ptr<SolvedBatch> batch_ = std::make_shared<SolvedBatch>();
   std::vector<std::pair<ParameterIndex, double>> unchanged_;
   bool has_begun_ = false;
-  std::size_t last_ = 0;  ///< the branch's configuration where the branches are
+  std::size_t last_ = 0;  ///< the branch's configuration among the present ones
 };
 
 std::shared_ptr<SolvedBatch> solve_batch(const SharedPlan& planned, const py::object& given_values,

@@ -1,4 +1,4 @@
-// Turns solutions into objects whose arrays are views of rows of numbers.
+// Solutions as objects whose arrays are views of rows of numbers.
 #pragma once
 
 #include <assur/mechanism/report.hpp>
@@ -11,9 +11,9 @@
 
 namespace assur::python {
 
-/// All configurations at one set of values, or the one that was asked for.
+/// All configurations at one set of values, or the requested one.
 struct SolvedScene : RowsView, std::enable_shared_from_this<SolvedScene> {
-  /// What is solved for: all configurations, the one of a number, or the nearest to the reference.
+  /// The requested configurations: all, the one with a number, or the nearest to the reference.
   enum class Asked : unsigned char { all, numbered, nearest };
 
   /// Throws as Plan::solve, solve_one and solve_nearest do, with the scene's file in front.
@@ -26,16 +26,16 @@ struct SolvedScene : RowsView, std::enable_shared_from_this<SolvedScene> {
   std::optional<mechanism::Nearest> nearest;
   Asked asked;
   std::size_t asked_number;
-  /// Rates of the motions through each configuration; null where there is only one motion.
+  /// Rates of the motions through each configuration; null if there is only one motion.
   std::vector<std::shared_ptr<const Rows>> branches;
 
   /// The values that were solved.
   [[nodiscard]] mechanism::Values values() const { return planned->plan.values(replaced); }
   /// The report that the command prints.
   [[nodiscard]] mechanism::Report report(const mechanism::Values& values) const;
-  /// The number of the configuration in a row; nothing where it is not known.
+  /// The number of the configuration in a row, if it is known.
   [[nodiscard]] std::optional<std::size_t> number_of(std::size_t at) const;
-  /// The same, found by solving for all configurations where it is not known.
+  /// The same, found by solving for all configurations if it is not known.
   [[nodiscard]] std::size_t number_in_all(std::size_t at) const;
 
  private:

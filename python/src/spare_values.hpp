@@ -1,4 +1,4 @@
-// Turns the values of an earlier call into those of the next one, which saves most of their cost.
+// Reuse of an earlier call's parameter values, which saves most of their cost.
 #pragma once
 
 #include <algorithm>
@@ -13,12 +13,12 @@ namespace assur::python {
 
 using Replaced = std::vector<std::pair<std::string, double>>;
 
-/// Values with the same parameters replaced as in an earlier call need not be made anew: what
-/// depends on these is evaluated again, and nothing else.
+/// If the same parameters are replaced as in an earlier call, only the quantities that depend on
+/// them are evaluated again.
 class SpareValues {
  public:
-  /// Calls `use` with values that have numbers in place of some parameters' formulas, and returns
-  /// its result. Of threads that call at the same time, all but one make values of their own.
+  /// Calls `use` with values in which numbers replace some parameters' formulas, and returns its
+  /// result. Of threads that call at the same time, all but one construct new values.
   template <typename Use>
   auto with(const mechanism::Plan& plan, const Replaced& replaced, const Use& use) {
     std::optional<Values> values = take(replaced);

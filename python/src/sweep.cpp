@@ -1,4 +1,4 @@
-// Turns a scene's sweep into rows for each branch, and rows for the events between them.
+// Sweeps: rows for each branch, and rows for the events between them.
 #include <pybind11/stl.h>
 
 #include <assur/mechanism/sweep.hpp>
@@ -21,7 +21,7 @@ namespace {
 /// Collects what a sweep reports.
 class Collector {
  public:
-  /// `values` have the numbers of all parameters but the swept one.
+  /// `values` hold all parameters except the swept one.
   Collector(const SharedPlan& planned, mechanism::Values values)
       : planned_(planned), values_(std::move(values)) {
     result_.events = empty<Events>();
@@ -39,7 +39,7 @@ class Collector {
     };
     return observer;
   }
-  /// What was collected; branches are in the order of their numbers.
+  /// The result, with branches in the order of their numbers.
   [[nodiscard]] SweptScene result() && {
     const auto& sweep = planned_->plan.request().sweep;
     result_.parameter = planned_->plan.mechanism().parameters()[sweep->parameter].name;
@@ -160,7 +160,7 @@ auto all_of(std::vector<Number> SweptRows::*member) {
       [member](const py::object& self) { return view_of(self.cast<const Kind&>().*member, self); };
 }
 
-/// What branches and events have in common.
+/// The common part of the classes of branches and events.
 template <typename Kind>
 py::class_<Kind, RowsView, std::shared_ptr<Kind>> swept_class(py::module_& module, const char* name,
                                                               const char* doc) {
@@ -176,7 +176,7 @@ py::class_<Kind, RowsView, std::shared_ptr<Kind>> swept_class(py::module_& modul
           "__len__", [](const Kind& rows) { return rows.step.size(); }, "The number of rows.");
 }
 
-/// What branches and events store: rows, steps, configurations, values of the parameter.
+/// The pickled state of branches and events: rows, steps, configurations, values of the parameter.
 py::tuple swept_state(const SweptRows& rows) {
   return py::make_tuple(rows.planned, rows_state(rows), bytes_of(rows.step),
                         bytes_of(rows.configuration), bytes_of(rows.parameter));

@@ -1,4 +1,4 @@
-// Turns arrays of parameters' values into the branches that go through the items.
+// Branches through the items of arrays of parameter values.
 #include <assur/mechanism/continuation.hpp>
 
 #include "errors.hpp"
@@ -101,8 +101,8 @@ class ItemSweeper {
   mechanism::Values values_;
   SweptScene result_;
   std::vector<std::shared_ptr<Rows>> rows_;
-  std::map<int, Rows*> rows_of_;  ///< by the numbers of branches
-  std::vector<int> here_;         ///< the branches of the configurations where the branches are
+  std::map<int, Rows*> rows_of_;  ///< by branch number
+  std::vector<int> here_;         ///< the branches of the present configurations
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The results of sweeps: the rows of branches, and events.
+// Results of sweeps: the rows of branches, and events.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +37,7 @@ struct SweptScene {
   std::string parameter;
 };
 
-/// The same through items, which are sets of values, one after the other: the parameter is the
+/// The same through items, which are consecutive sets of values: the parameter is the index of the
 /// item.
 [[nodiscard]] SweptScene swept_through_items(const SharedPlan& planned, const Given& given);
 

@@ -1,4 +1,4 @@
-// Turns results into tables of pandas, by the Python part of the package.
+// Conversion of results to tables of pandas, by the Python part of the package.
 #pragma once
 
 #include <pybind11/pybind11.h>

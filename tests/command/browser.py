@@ -1,5 +1,4 @@
-"""Turns expressions in JavaScript into their values on a page in headless Chromium, over the pipe
-of its debugging protocol."""
+"""Evaluates JavaScript on a page in headless Chromium, over the pipe of its debugging protocol."""
 
 import fcntl
 import json

@@ -173,13 +173,13 @@ TEST_F(Campaigns, DoNotReplaceWhatTheyRead) {
   const std::string scene = read_file(four_bar);
   (void)directory_.write("scene.csv", scene);
   const std::string of_scene = "sample " + path("scene.csv") + " --seed 1 --count 3 --force";
-  EXPECT_NE(refusal(of_scene, "scene.csv").find(" that is read; give another name"),
+  EXPECT_NE(refusal(of_scene, "scene.csv").find(": writing it would replace the input "),
             std::string::npos);
   EXPECT_EQ(read("scene.csv"), scene);
   // While a table is written, the name of its file ends in `.partial`.
   (void)directory_.write("x.csv.partial", scene);
   EXPECT_NE(refusal("sample " + path("x.csv.partial") + " --seed 1 --count 3", "x.csv")
-                .find(" that is read; give another name"),
+                .find(": writing it would replace the input "),
             std::string::npos);
   EXPECT_EQ(read("x.csv.partial"), scene);
   for (const std::string shard : {"1", "2"}) {
@@ -187,7 +187,7 @@ TEST_F(Campaigns, DoNotReplaceWhatTheyRead) {
   }
   const std::string first = read("1.csv");
   EXPECT_NE(refusal("merge --force " + path("1.csv") + " " + path("2.csv"), "1.csv")
-                .find(" that is read; give another name"),
+                .find(": writing it would replace the input "),
             std::string::npos);
   EXPECT_EQ(read("1.csv"), first);
 }

@@ -1,4 +1,4 @@
-// Law: degenerate dimensions get a verdict with a mobility, and never a random root or NaN.
+// Law: degenerate dimensions get a verdict with a mobility, and never a spurious root or NaN.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -1,5 +1,5 @@
-// Law: what cannot be drawn or written is refused in one line with exit status 2 and leaves every
-// file as it was; a drawing has the same text wherever it is written.
+// Law: a drawing that cannot be made or written is refused in one line with exit status 2 and
+// leaves every file unchanged; a drawing has the same text wherever it is written.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,8 +79,8 @@ TEST(Draw, DoesNotReplaceTheScene) {
   const std::string file = directory.write("scene.svg", scene).string();
   const CommandResult result = run_assur("draw " + file + " --output " + file);
   EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.messages, "error: " + file + ": to write it would replace the file " + file +
-                                 " that is read; give another name\n");
+  EXPECT_EQ(result.messages, "error: " + file + ": writing it would replace the input " + file +
+                                 "; give another name\n");
   EXPECT_EQ(read_file(file), scene);
 }
 

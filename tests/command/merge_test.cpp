@@ -1,5 +1,5 @@
-// Law: `assur merge` takes the rows that each shard should hold, in their order, and refuses every
-// other file in one line that names it and the row.
+// Law: `assur merge` accepts exactly the rows that each shard should hold, in their order, and
+// refuses every other file in one line that names the file and the row.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -170,7 +170,7 @@ TEST_P(Merge, RefusesOtherShards) {
   expect_refusal(text_of(shard_) + read("3.csv"), at(shard_.size()));
   expect_refusal(
       text_of(shard_) + text_of({third.begin() + static_cast<std::ptrdiff_t>(head_), third.end()}),
-      at(shard_.size()) + "the row stands behind the last one of the shard");
+      at(shard_.size()) + "the row comes after the last one of the shard");
   Lines renamed = third;
   std::ranges::replace(renamed, "# shard: 3/3", "# shard: 2/3");
   expect_refusal(text_of(renamed), at(head_));

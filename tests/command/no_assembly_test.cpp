@@ -1,6 +1,6 @@
-// Law: where there are no configurations, the answer says which group fails to close, by how much,
-// and in which configurations of the groups that hold it; a sweep reports each such stretch once,
-// with its ends.
+// Law: if there are no configurations, the answer names the group that fails to close, the gap, and
+// the configurations of the groups that hold it; a sweep reports each such stretch once, with its
+// ends.
 #include <gtest/gtest.h>
 
 #include <algorithm>

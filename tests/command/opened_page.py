@@ -1,4 +1,5 @@
-"""Turns scenes into pages that are open in a browser, and what tests expect of them into failures."""
+"""Pages of scenes opened in a browser, and failures where they do not meet a test's
+expectations."""
 
 import base64
 import os

@@ -150,7 +150,7 @@ TEST(EmittedOutput, DoesNotReplaceTheSceneThatItReads) {
       run_process({"emit", "--scene", file.string(), "--output", directory.path().string()},
                   opened("/dev/null"));
   EXPECT_EQ(result.status, 2);
-  EXPECT_NE(result.messages.find(" that is read; give another name\n"), std::string::npos)
+  EXPECT_NE(result.messages.find(": writing it would replace the input "), std::string::npos)
       << result.messages;
   EXPECT_EQ(read_file(file), read_file(four_bar));
 }
@@ -161,7 +161,7 @@ ProcessResult emitted_in_c(const TemporaryDirectory& directory, unsigned long la
       opened("/dev/null"), largest_file);
 }
 
-/// What stands in the files that `emit --interface c` replaces.
+/// The contents of the files that `emit --interface c` replaces.
 std::map<std::string, std::string> texts_in(const TemporaryDirectory& directory) {
   std::map<std::string, std::string> texts;
   for (const auto& entry : fs::recursive_directory_iterator(directory.path())) {

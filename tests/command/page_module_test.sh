@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Law: the module that pages solve with is, byte for byte, what the sources are compiled to.
+# Law: the WebAssembly module in pages is, byte for byte, the one compiled from the sources.
 # page_module_test.sh BUILD KEPT
 set -euo pipefail
 build=$1

@@ -161,7 +161,7 @@ def check_sliders(chromium, assur, scene, folder):
 
 
 def check_without_solver(chromium, assur, scene, folder):
-    """A browser that cannot solve shows what the page was made with, and says so."""
+    """A browser that cannot solve shows the page's stored data, and says so."""
     page = folder / "old.html"
     run(assur, "draw", str(scene), "--output", str(page))
     page.write_text(page.read_text().replace("<script", "<script>Worker = undefined;</script><script", 1))

@@ -1,6 +1,5 @@
-# Turns the links of all pages into a verdict: each leads to an existing file, and to one of its
-# headings if it names one; docs/README.md leads to every page below docs; and pages that sources
-# name exist.
+# Law: every link on a page leads to an existing file, and to one of its headings if it names one;
+# docs/README.md leads to every page below docs; and pages that sources name exist.
 import pathlib
 import re
 import sys

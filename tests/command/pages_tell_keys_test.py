@@ -1,5 +1,5 @@
-# Turns the JSON Schema of scenes and docs/reference/scene_format.md into a verdict: every key of a
-# scene stands in the page's tables of keys, and every key there has an example, which is JSON.
+# Law: the tables of docs/reference/scene_format.md have every key of the JSON Schema of scenes, and
+# every key there has an example in valid JSON.
 import json
 import pathlib
 import re

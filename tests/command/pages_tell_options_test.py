@@ -1,6 +1,6 @@
-# Turns `assur --help` and docs/reference/command.md into a verdict: the page has a section for each
-# subcommand, whose table has all its own options and no others; options that all subcommands share
-# are named above the sections.
+# Law: docs/reference/command.md has a section for each subcommand of `assur --help`, whose table
+# has all its own options and no others; options that all subcommands share are named above the
+# sections.
 import pathlib
 import re
 import subprocess

@@ -1,6 +1,5 @@
-# Runs the console blocks of pages and compares what is printed with what the pages say; a line
-# `...` stands for any lines. Whole scenes in JSON, and the C++ of the four-bar, are lines of files
-# in docs.
+# Law: the console blocks of pages print what the pages show; a line `...` stands for any lines.
+# Whole scenes in JSON, and the C++ of the four-bar, are lines of files in docs.
 import pathlib
 import re
 import subprocess

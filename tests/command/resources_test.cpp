@@ -1,4 +1,4 @@
-// Law: what would take too much time or memory is refused in one line, and quickly.
+// Law: a request that would take too much time or memory is refused quickly and in one line.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -20,9 +20,8 @@ double seconds_of_children() {
   return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
 }
 
-/// The message of a call that is refused, after the name of the file. The limit of a minute is
-/// hundreds of times what a refusal takes, or ten times with sanitizers, and far below what the
-/// request would take.
+/// The message of a refused call, after the file's name. The limit of a minute is hundreds of times
+/// the duration of a refusal, ten times with sanitizers, and far below that of the request.
 std::string refusal_of(const std::string& scene, const std::string& call) {
   const TemporaryDirectory directory;
   const std::string file = directory.write("scene.json", scene).string();

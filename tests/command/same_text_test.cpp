@@ -1,4 +1,4 @@
-// Law: every process gives the same bytes for the same scene, in every format and in emitted code.
+// Law: every process writes the same bytes for the same scene, in every format and in emitted code.
 #include <gtest/gtest.h>
 
 #include <algorithm>

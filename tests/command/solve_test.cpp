@@ -1,5 +1,5 @@
-// Law: `assur solve` gives the worked mechanism the values of an independent derivation and the
-// differences of solutions, and reports every scene and sweep as its contract says.
+// Law: `assur solve` gives the worked mechanism the values of an independent derivation and of
+// differences of solutions, and reports every scene and sweep according to its contract.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>

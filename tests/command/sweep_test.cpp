@@ -1,5 +1,5 @@
-// Law: `assur sweep` prints what `assur solve --format csv` prints of a scene that has a sweep, and
-// refuses a scene that has none.
+// Law: `assur sweep` prints the same as `assur solve --format csv` for a scene with a sweep, and
+// refuses a scene without one.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

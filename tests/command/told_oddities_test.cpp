@@ -1,5 +1,5 @@
-// Law: what is odd in a scene is told and does not stop the answer: links that turn freely, sweeps
-// that move nothing, configurations beyond limits; circuits are told where they are asked for.
+// Law: oddities in a scene are reported without stopping the answer: links that turn freely, sweeps
+// that move nothing, configurations beyond limits; circuits are reported on request.
 #include <gtest/gtest.h>
 
 #include <algorithm>

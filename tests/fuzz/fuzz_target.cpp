@@ -1,4 +1,4 @@
-// Turns the bytes that libFuzzer tries into a call of the parser ASSUR_READER.
+// libFuzzer's entry point: passes its bytes to the parser ASSUR_READER.
 #include <cstddef>
 #include <cstdint>
 

@@ -18,7 +18,7 @@ using namespace generator;
 
 namespace {
 
-/// A refusal is one line; Error is what the parser refuses with.
+/// A refusal is one line; Error is the parser's exception.
 template <typename Error, typename Read>
 void expect_answer_or_line(const Read& read) {
   std::string line;
@@ -57,7 +57,7 @@ void read_scene_text(const std::string& text) {
 }
 
 void read_import_text(const std::string& text) {
-  // What is written can be read: it is a scene, or refused as one that cannot be built.
+  // The written scene can be read, or is refused as one that cannot be built.
   expect_answer_or_line<text::InputError>([&] {
     (void)mechanism::parse_scene(mechanism::import_scene(text, "fuzz").text, "fuzz.json", {});
   });

@@ -1,4 +1,4 @@
-// Turns any text into an answer or a refusal of each parser: what fuzzing and the corpus call.
+// The parsers that fuzzing and the corpus test call: each answers or refuses any text.
 #pragma once
 
 #include <string>

@@ -1,6 +1,6 @@
-# Configures the tree on a machine where optional packages are absent or broken: it ends well, and a
-# line tells of each. A broken package is found but names headers and libraries that are not there;
-# a broken program fails.
+# Law: configuring succeeds on a machine where optional packages are absent or broken, and reports
+# each in one line. A broken package is found but names headers and libraries that are not there; a
+# broken program fails.
 # cmake -DSOURCE=... -DGENERATOR=... -DCOMPILER=... -DWORK=... -DSTATE=absent|broken|each
 #   -P configuring_test.cmake
 cmake_minimum_required(VERSION 3.25)

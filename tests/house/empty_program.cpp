@@ -1,2 +1,3 @@
-// Does nothing: linked with one folder's library, it shows that the folder needs none above it.
+// An empty program: linked with one folder's library, it shows that the folder depends on none
+// above it.
 int main() { return 0; }

@@ -1,4 +1,4 @@
-// Turns the texts of source files into the lines that break the rules of the house.
+// Searches source files for lines that break the rules of the house.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace assur::test {
 /// Texts by their paths from the project's root, with `/` between folders.
 using Files = std::map<std::string, std::string>;
 
-/// A folder, what stands below it, and the one namespace of its files.
+/// A folder, the folders on which it may depend, and the one namespace of its files.
 struct Folder {
   std::string path;                    ///< with its subfolders, except those in the table
   std::string name_space;              ///< `assur::text`

@@ -1,6 +1,6 @@
-# Packs the build tree into Debian packages, unpacks each beside those that it depends on, and has
-# outside projects use what is there.
-# cmake -DBUILD=... -DSOURCE=... -DWORK=... -DCOMPILER=... -DPYTHON=... -P packages_test.cmake
+# Packs the build tree into Debian packages, unpacks each beside those that it depends on, and
+# builds outside projects with the installed files. cmake -DBUILD=... -DSOURCE=... -DWORK=...
+# -DCOMPILER=... -DPYTHON=... -P packages_test.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/../run_command.cmake)
 
 file(REMOVE_RECURSE ${WORK})

@@ -1,5 +1,5 @@
-// Law: every example assembles all along its sweep, and rigid bodies with constraints, which know
-// no groups, agree with its configurations, rates and sensitivities.
+// Law: every example assembles along its whole sweep, and rigid bodies with constraints, without
+// groups, agree with its configurations, rates and sensitivities.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-"""Turns C++ sources into mutants that are compiled all at once, each behind a switch."""
+"""Mutants of C++ sources, all compiled into one program, each behind a switch."""
 import collections
 import concurrent.futures
 import dataclasses

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Turns sources and the tests that check them into a list of mutants and of those that survive.
+"""Mutation testing: runs the tests of given sources on every mutant, and lists the survivors.
 
 mutate.py BUILD SUBJECT [--count N] [--seed S] [--jobs J] [--harmless FILE] [--output FILE]
 

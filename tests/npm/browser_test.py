@@ -1,4 +1,4 @@
-"""Law: the package answers in a browser what the command answers.
+"""Law: the package has the same answers in a browser as the command.
 
 browser_test.py FOLDER ASSUR SOURCE"""
 

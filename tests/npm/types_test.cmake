@@ -1,5 +1,4 @@
-# Turns the packed npm package into a verdict on its types: a program compiles against them in strict
-# mode, and runs.
+# Law: a program compiles against the types of the packed npm package in strict mode, and runs.
 #   cmake -DFOLDER=<where the tarball is> -DWORK=... -DTSC=tsc -DNODE=node -P types_test.cmake
 file(REMOVE_RECURSE ${WORK})
 file(GLOB tarball ${FOLDER}/assur-*.tgz)

@@ -1,5 +1,5 @@
-// Law: the jerk of a configuration is how its acceleration changes as the inputs move on, for every
-// rigid model; and rates that are no numbers give none.
+// Law: the jerk of a configuration is the rate of its acceleration as the inputs move, for every
+// rigid model; and rates that are not finite give none.
 #include <assur/kinematics.hpp>
 #include <iostream>
 #include <limits>

@@ -1,4 +1,5 @@
-// Law: what cannot be computed has a status that says so, and the version is the project's.
+// Law: a result that cannot be computed has a status that says so, and the version is the
+// project's.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>

@@ -1,4 +1,4 @@
-// Turns generated functions into the number of their operations, by a scalar that counts.
+// A scalar that counts the operations of generated functions.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,9 +26,9 @@ struct Count {
 
 inline Count counted;
 
-/// A number that counts what is done to it. Operations among constants of the text are folded by
+/// A number that counts the operations on it. Operations among constants of the text are folded by
 /// every compiler and are free. It has no value, because no generated function asks for one, and is
-/// passed by value and does not throw, because that way its many uses cost least to compile.
+/// passed by value and does not throw, because its many uses then compile fastest.
 struct Counting {
   bool constant = false;
 
@@ -76,8 +76,8 @@ void set_variables(Variables<Counting>& variables) {
   std::apply([&](auto&... member) { (set(member), ...); }, variables.members());
 }
 
-/// One argument for each type of parameter, because tuples of them cost much to compile. What a
-/// function reads is const, so that it is not the argument that the function writes.
+/// One argument for each type of parameter, because tuples of them cost much to compile. An
+/// argument that a function reads is const, which distinguishes it from the one that it writes.
 template <typename Parameter>
 Parameter argument() {
   static std::decay_t<Parameter> value;

@@ -1,4 +1,4 @@
-// Turns whole numbers into exact fractions of small numerators and denominators.
+// Exact fractions of small integers.
 #pragma once
 
 #include <numeric>

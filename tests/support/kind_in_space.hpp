@@ -1,4 +1,4 @@
-// Turns a kind into a random assembled group of rigid bodies, and that into a model's variables.
+// A random assembled group of rigid bodies of a given kind, and the model's variables for it.
 #pragma once
 
 #include <assur/normal_form.hpp>
@@ -60,7 +60,8 @@ struct KindBodies {
     }
     return joint;
   }
-  /// The kind's link that plays a link of the model: the one that has the players of its joints.
+  /// The kind's link that corresponds to a link of the model: the one with the corresponding
+  /// joints.
   [[nodiscard]] int playing_link(int model_link) const {
     const ModelLink& link = model_links[static_cast<std::size_t>(model_link)];
     for (int candidate = 0; candidate < link_count(); ++candidate) {
@@ -81,7 +82,7 @@ struct KindBodies {
     const BodyJoint& at = bodies.joints[joint];
     return at.first == link ? at.on_first : at.on_second;
   }
-  /// The frame of a model's link where the bodies stand.
+  /// The frame of a model's link in the bodies' present poses.
   [[nodiscard]] BodyPose frame(int link, const NormalForm<Real>& form) const {
     const BodyFeature place = bodies.poses[static_cast<std::size_t>(playing_link(link))].world(
         {form.frame.x, form.frame.y, angle_of(form.frame.direction)});
@@ -147,7 +148,7 @@ struct KindBodies {
     return values;
   }
 
-  /// Where the bodies stand, in the order of a model's unknowns.
+  /// The present configuration of the bodies, in the order of a model's unknowns.
   [[nodiscard]] std::vector<DimensionValue<Real>> unknown_values(
       std::span<const ModelUnknown> unknowns, std::span<const NormalForm<Real>> forms) const {
     std::vector<DimensionValue<Real>> values;
@@ -166,8 +167,8 @@ struct KindBodies {
   [[nodiscard]] int link_count() const { return static_cast<int>(model_links.size()); }
 };
 
-/// A random group of one kind, assembled, in the labels of the kind, with links in frames that no
-/// normal form knows of.
+/// A random group of one kind, assembled, in the labels of the kind, with arbitrary frames of
+/// links.
 template <typename Model>
 struct KindInSpace : KindBodies {
   using Roles = KindRoles<Model::joint_count>;

@@ -1,4 +1,4 @@
-// Keeps the largest of many errors, and does not let one that is no number pass unseen.
+// The largest of many errors; NaN is not overlooked.
 #pragma once
 
 namespace assur::test {

@@ -1,4 +1,4 @@
-// Turns equations A x = b of full row rank into their shortest solution.
+// Shortest solution of equations A x = b of full row rank.
 #pragma once
 
 #include <Eigen/LU>

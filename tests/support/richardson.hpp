@@ -1,11 +1,11 @@
-// Turns values of a vector function on both sides of a point into its derivative there.
+// Derivatives of vector functions by Richardson extrapolation of central differences.
 #pragma once
 
 #include <Eigen/Core>
 
 namespace assur::test {
 
-/// A derivative, and what its last extrapolation changed: how far it can be trusted.
+/// A derivative, and the change by its last extrapolation, an estimate of its error.
 template <typename Vector>
 struct Difference {
   Vector derivative;
@@ -26,7 +26,7 @@ Difference<Vector> richardson(const At& at, double h) {
   return {last, static_cast<double>((last - second).cwiseAbs().maxCoeff())};
 }
 
-/// The most trustworthy of several steps, each a quarter of the one before.
+/// The result of least estimated error over several steps, each a quarter of the previous one.
 template <typename Vector, typename At>
 Difference<Vector> best_richardson(const At& at, double h, int steps) {
   Difference<Vector> best = richardson<Vector>(at, h);

@@ -1,5 +1,5 @@
-// Turns links, features and joints into poses by Newton's method on rigid bodies. It knows nothing
-// of Assur groups, loops or merged angles: the independent truth for the generated models.
+// Poses of links by Newton's method on rigid bodies, without Assur groups, loops or merged angles:
+// the independent truth for the generated models.
 #pragma once
 
 #include <Eigen/Dense>

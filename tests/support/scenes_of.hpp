@@ -1,4 +1,4 @@
-// Turns a folder into the names of the scenes that stand in it.
+// Names of the scenes in a folder.
 #pragma once
 
 #include <algorithm>

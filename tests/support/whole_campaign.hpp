@@ -1,4 +1,4 @@
-// Tells whether a test runs its whole campaign, or the share of it that runs by default.
+// Whether a test runs its whole campaign, or only the share that runs by default.
 #pragma once
 
 #include <cstddef>

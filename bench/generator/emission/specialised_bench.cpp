@@ -1,4 +1,4 @@
-// Times the worked mechanism's group by its general model and by the solver of the scene alone.
+// Times the worked mechanism's group: its general model against the solver of the scene alone.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -12,13 +12,13 @@ using Model = assur::tetrad::Model02;
 using Solver = assur::scenes::Quintero2011RrpRrr;
 using Group = assur::scenes::Quintero2011RrpRrrGroup1;
 
-/// The place of the crank pin, at angles from that of the scene on.
+/// The place of the crank pin; step 0 is the angle of the scene.
 std::array<double, 2> crank_pin(int step) {
   const double angle = 1.2217304763960306 + 0.001 * (step % 200);
   return {100 * std::cos(angle), 100 * std::sin(angle)};
 }
 
-/// The group's dimensions in the scene, for the joints' roles that the scene's solver chose.
+/// The group's dimensions in the scene, for the roles of the joints that the scene's solver chose.
 Model::Dimensions<double> dimensions() {
   Model::Dimensions<double> d;
   d.x_G_BCG = 500;
@@ -83,7 +83,7 @@ void polynomial_by_the_specialised_group(benchmark::State& state) {
   }
 }
 
-/// Everything that the scene wants, for every configuration.
+/// All results that the scene asks for, for every configuration.
 void whole_scene(benchmark::State& state) {
   std::array<Solver::State<double>, Solver::max_configurations> states;
   Solver::Drivers<double> drivers;

@@ -1,4 +1,4 @@
-// Turns inputs that are NaN or infinite into what each method says about them.
+// The response of each method to inputs that are NaN or infinite.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace assur::stability {
 
-/// One method on a geometry with one spoilt number.
+/// One method on a geometry with one number replaced.
 struct BadInputRow {
   std::string method;
   std::string input;
   Status status = Status::ok;
-  bool finite = false;  ///< whether all numbers of the velocity that comes back are finite
+  bool finite = false;  ///< whether all numbers of the velocity returned are finite
 };
 
 [[nodiscard]] inline std::vector<BadInputRow> bad_input_rows() {

@@ -1,4 +1,4 @@
-// Turns a distance that goes to zero into tetrads that come near one failure each.
+// Families of tetrads that each approach one failure as a distance goes to zero.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@
 
 namespace assur::stability {
 
-/// A regular family keeps the condition of J below this at every distance, so that what fails there
-/// is the method and not the group.
+/// A regular family keeps the condition number of J below this at every distance, so a failure
+/// there is the method's and not the group's.
 inline constexpr double regular_condition = 50;
 inline constexpr double any_condition = std::numeric_limits<double>::infinity();
 
-/// An unknown angle comes to pi.
+/// An unknown angle approaches pi.
 struct HalfAngle {
   using Model = Model01;
   static constexpr const char* name = "half-angle";
@@ -30,7 +30,7 @@ struct HalfAngle {
   }
 };
 
-/// The lines BC and ED become parallel: their special point runs away.
+/// The lines BC and ED become parallel: their special point goes to infinity.
 struct SpecialPoint {
   using Model = Model01;
   static constexpr const char* name = "special-point";
@@ -44,8 +44,8 @@ struct SpecialPoint {
   }
 };
 
-/// Two configurations meet. GF is turned by the root of the distance from where det J = 0, so that
-/// a length must change by about the distance for the two to meet.
+/// Two configurations meet. GF is rotated by the square root of the distance from where det J = 0,
+/// so that a length must change by about the distance for the two to meet.
 struct Fold {
   using Model = Model01;
   static constexpr const char* name = "fold";
@@ -97,7 +97,7 @@ struct Crossing {
   }
 
  private:
-  /// Gives the bar GF the length and the direction that its loop leaves to it.
+  /// Gives the bar GF the length and the direction that close its loop.
   static void point_GF(Geometry<Model, Real>& g) {
     g.d.GF = Real(0);
     Vector<Real, Model::equation_count> f;
@@ -107,8 +107,8 @@ struct Crossing {
   }
 };
 
-/// Congruent ternary links on equal bars could move by themselves; every length and angle differs
-/// from this by about the distance.
+/// Congruent ternary links on equal bars have a self-motion; every length and angle differs from
+/// this case by about the distance.
 struct SelfMotion {
   using Model = Model01;
   static constexpr const char* name = "self-motion";
@@ -140,7 +140,7 @@ struct ParallelSlides {
   }
 };
 
-/// The bar CD loses its length.
+/// The length of the bar CD goes to zero.
 struct ZeroBar {
   using Model = Model01;
   static constexpr const char* name = "zero-bar";
@@ -154,7 +154,7 @@ struct ZeroBar {
   }
 };
 
-/// The side BC of a ternary link loses its length.
+/// The length of the side BC of a ternary link goes to zero.
 struct ZeroSide {
   using Model = Model01;
   static constexpr const char* name = "zero-side";
@@ -168,7 +168,7 @@ struct ZeroSide {
   }
 };
 
-/// The group stands at one over the distance from the origin.
+/// The group lies at one over the distance from the origin.
 struct FarAway {
   using Model = Model01;
   static constexpr const char* name = "far-away";
@@ -186,7 +186,7 @@ struct FarAway {
   }
 };
 
-/// The unit of length changes by a factor, here the distance; angles and displacements are mixed.
+/// The unit of length changes by the factor `distance`; unknowns are angles and displacements.
 struct Units {
   using Model = Model04;
   static constexpr const char* name = "units";
@@ -224,7 +224,7 @@ template <typename Family>
   return list;
 }
 
-/// A member of a family: what the methods are given, in double, and the truth in 50 digits.
+/// A member of a family: the input of the methods in double, and the reference in 50 digits.
 template <typename Model>
 struct Member {
   Geometry<Model, double> given;  ///< q is the assembled configuration of (d, u), rounded once
@@ -232,7 +232,7 @@ struct Member {
   Truth<Model> truth_as_given;    ///< at `given.q` as it stands, taken for exact
 };
 
-/// Members with the same number come from the same random numbers at all distances.
+/// Members with the same number use the same random numbers at all distances.
 inline constexpr unsigned seed = 16180;
 inline constexpr int members_per_distance = 20;
 

@@ -1,4 +1,4 @@
-// Turns every unknown angle into the tangent of its half and solves for the derivatives of that.
+// Derivatives by the half-angle form: the unknowns are the tangents of half the angles.
 #pragma once
 
 #include <Eigen/LU>
@@ -61,7 +61,7 @@ class HalfAngleForm {
     return Model::unknowns[static_cast<std::size_t>(index)].is_angle;
   }
 
-  /// The tangents, and in place of every direction the one that its tangent gives.
+  /// The tangents; replaces each direction by the one that its tangent gives.
   static Unknowns tangents(typename Model::template Configuration<double>& q) {
     Unknowns t;
     int index = 0;

@@ -1,4 +1,4 @@
-// Turns a configuration, taken as it is, into its derivatives by linear equations, in several ways.
+// Methods that take a configuration as given and solve linear equations for its derivatives.
 #pragma once
 
 #include <Eigen/LU>
@@ -124,7 +124,7 @@ template <typename Model>
   return AutomaticDifferentiation<Model>::answer(g);
 }
 
-/// The two special Assur points; velocity and acceleration alone.
+/// The two special Assur points; velocity and acceleration only.
 template <typename Model>
 [[nodiscard]] Answer<Model> special_points(const Geometry<Model, double>& g) {
   Answer<Model> answer;

@@ -1,4 +1,4 @@
-// Turns a method's answer and the truth into an error.
+// The error of a method's answer against the reference.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@ inline constexpr std::array<const char*, 3> quantity_names = {"sensitivities", "
                                                               "acceleration"};
 
 /// max |x - truth| / max |truth| over the weighted unknowns, the largest over the columns; infinite
-/// if anything is not finite.
+/// if any number is not finite.
 template <typename Computed, typename True, typename Weights>
 [[nodiscard]] double relative_error(const Computed& computed, const True& truth,
                                     const Weights& weights) {
@@ -62,7 +62,7 @@ template <typename Model>
   return std::numeric_limits<double>::infinity();
 }
 
-/// An answer with less than two digits is wrong: another branch, or nothing but rounding.
+/// An answer with fewer than two correct digits is wrong: another branch, or rounding only.
 inline constexpr double wrong_error = 0.01;
 [[nodiscard]] inline bool is_wrong(double error) { return !(error <= wrong_error); }
 

@@ -1,4 +1,4 @@
-// Turns the functions of methods into the list that the laboratory compares.
+// The methods that the stability laboratory compares.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ struct Method {
   Answer<Model> (*answer)(const Geometry<Model, double>&);
 };
 
-/// In one order for every model. Not every model has special points, so they come last.
+/// In one order for every model. Special points come last, since not every model has them.
 template <typename Model>
 [[nodiscard]] std::vector<Method<Model>> methods() {
   std::vector<Method<Model>> list = {

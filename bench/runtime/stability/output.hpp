@@ -1,4 +1,4 @@
-// Turns the rows into JSON, into gnuplot's columns and into Markdown tables.
+// Writes the rows of the stability table as JSON, gnuplot columns and Markdown tables.
 #pragma once
 
 #include <filesystem>
@@ -58,7 +58,7 @@ inline void write_json(const std::vector<Row>& rows, const std::vector<BadInputR
   out << "\n]}\n";
 }
 
-/// Families in their order.
+/// The families in order of appearance.
 template <typename AnyRow>
 [[nodiscard]] std::vector<std::string> families_of(const std::vector<AnyRow>& rows) {
   std::vector<std::string> families;
@@ -70,10 +70,10 @@ template <typename AnyRow>
   return families;
 }
 
-/// Two files per family. Errors, a block per method: distance, kappa, error. No error is drawn
-/// where more than half of the members failed: the rest would make the method look good. Failures:
-/// distance, number of the method, and gnuplot's point type, a cross for wrong or a ring for
-/// refused.
+/// Two files per family. Errors, a block per method: distance, condition number, error. No error is
+/// drawn where more than half of the members failed: the rest would make the method look good.
+/// Failures: distance, number of the method, and gnuplot's point type, a cross for wrong or a ring
+/// for refused.
 inline void write_columns(const std::vector<Row>& rows, const std::filesystem::path& directory) {
   for (const std::string& family : families_of(rows)) {
     std::ofstream errors(directory / (family + ".dat"));

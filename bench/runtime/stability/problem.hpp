@@ -1,4 +1,4 @@
-// Turns a group and its motion into what a method is given and returns, in either scalar.
+// The input and the answer of a method: a group in motion and its derivatives, in either scalar.
 #pragma once
 
 #include <assur/kinematics.hpp>
@@ -9,7 +9,7 @@
 
 namespace assur::stability {
 
-/// A group, one of its configurations, and how its inputs move.
+/// A group, one of its configurations, and the motion of its inputs.
 template <typename Model, typename Scalar>
 struct Geometry {
   typename Model::template Dimensions<Scalar> d;
@@ -17,14 +17,13 @@ struct Geometry {
   typename Model::template Configuration<Scalar> q;
   Vector<Scalar, Model::input_count> u_rate;
   Vector<Scalar, Model::input_count> u_second_rate;
-  Scalar size{1};  ///< a length typical of the links
+  Scalar size{1};  ///< a typical length of the links
 };
 
-/// What a method computes; it may leave out the sensitivities. Set where the status is ok or
-/// near_singular.
+/// A method may leave out the sensitivities. Set where the status is ok or near_singular.
 template <typename Model>
 struct Answer {
-  /// Nothing is computed yet: all is NaN.
+  /// All NaN until computed.
   Answer() {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     sensitivities.to_dimensions.setConstant(nothing);

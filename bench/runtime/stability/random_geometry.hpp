@@ -1,4 +1,4 @@
-// Turns random numbers into groups in 50 digits that are assembled by construction.
+// Random groups in 50 digits, assembled by construction.
 #pragma once
 
 #include <assur/tetrad/model_01.hpp>
@@ -21,7 +21,7 @@ class RandomNumbers {
   }
   Real length() { return between(0.5, 2); }
   Real coordinate() { return between(-1, 1); }
-  /// Away from pi, which is the subject of a family of its own.
+  /// Away from pi, which has a family of its own.
   Direction<Real> direction() { return direction_of(between(-2.5, 2.5)); }
 
  private:
@@ -44,7 +44,7 @@ inline void close_loops(Geometry<Model04, Real>& g) {
   close_loops(g, turned(g.q.theta_BCG, g.d.psi_D_CD));
 }
 
-/// How the inputs move: all of them, and each differently.
+/// Rates and accelerations of the inputs, different for each.
 template <typename Model>
 void set_in_motion(RandomNumbers& random, Geometry<Model, Real>& g) {
   for (int index = 0; index < Model::input_count; ++index) {
@@ -53,7 +53,7 @@ void set_in_motion(RandomNumbers& random, Geometry<Model, Real>& g) {
   }
 }
 
-/// A random RRR-RRR with its directions; to be closed.
+/// A random RRR-RRR with its directions; its loops are not closed yet.
 inline Geometry<Model01, Real> random_model_01(RandomNumbers& random) {
   Geometry<Model01, Real> g;
   g.d = {random.length(),     random.coordinate(), random.length(), random.length(),
@@ -64,7 +64,7 @@ inline Geometry<Model01, Real> random_model_01(RandomNumbers& random) {
   return g;
 }
 
-/// A random RPR-RPR with its directions and displacements; to be closed.
+/// A random RPR-RPR with its directions and displacements; its loops are not closed yet.
 inline Geometry<Model04, Real> random_model_04(RandomNumbers& random) {
   Geometry<Model04, Real> g;
   g.d.h_C_BCG = random.length();

@@ -1,4 +1,4 @@
-// Compiles the arithmetic of 50 digits, which is Boost's.
+// Arithmetic in 50 decimal digits by Boost.Multiprecision.
 #include "stability/real.hpp"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

@@ -1,5 +1,5 @@
-// Turns Boost's numbers of 50 digits into a scalar that costs little to compile: what uses it sees
-// none of Boost's templates, and one file compiles their arithmetic, optimised.
+// A scalar of 50 decimal digits that is cheap to compile: Boost's templates are confined to one
+// optimised file.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,7 +25,7 @@ class Real {
   Real& operator=(const Real& other);
   ~Real() = default;
 
-  /// Rounded; toward zero if to a whole number.
+  /// Truncates toward zero.
   explicit operator int() const;
   explicit operator double() const;
   explicit operator long double() const;
@@ -56,13 +56,13 @@ class Real {
   static Real epsilon();
 
  private:
-  struct Access;  // gives the number in the storage, whose type only the .cpp knows
+  struct Access;  // reads and writes the stored number, whose type is defined in real.cpp
   alignas(16) std::array<std::byte, 64> storage_;
 };
 
 }  // namespace assur::stability
 
-/// Bounds and sizes need no more digits than a double has.
+/// Bounds and sizes do not need more digits than a double has.
 template <>
 struct assur::numeric::PartOf<assur::stability::Real> {
   using Type = double;

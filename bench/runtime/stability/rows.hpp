@@ -1,4 +1,4 @@
-// Turns the families and the methods into the rows of the stability table.
+// Errors and failures of each method, family and distance: the rows of the stability table.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct Row {
   std::string method;
   double distance = 0;
   double condition = 0;  ///< of J, the largest of the members
-  /// The largest error of the members that are right, by quantity: against the assembled
+  /// The largest error over the members with a right answer, by quantity: against the assembled
   /// configuration, and against the configuration as given.
   std::array<double, 3> error{};
   std::array<double, 3> error_as_given{};
@@ -23,7 +23,7 @@ struct Row {
   int wrong_members = 0;       ///< in any quantity
   int refused_members = 0;
   bool has_sensitivities = true;
-  Status status = Status::ok;  ///< the worst that was met
+  Status status = Status::ok;  ///< the worst reported
 
   [[nodiscard]] double largest_error() const {
     return *std::max_element(error.begin(), error.end());

@@ -1,6 +1,6 @@
-// Turns families of tetrads into the errors and failures of every method: stability.json and the
-// columns of the chart, into a directory; the tables of docs/reports/stability.md, on standard
-// output.
+// Measures the errors and failures of every method on families of tetrads. Writes stability.json
+// and the columns of the chart into a directory, and the tables of docs/reports/stability.md to
+// standard output.
 #include "output.hpp"
 
 int main(int count, char** arguments) {

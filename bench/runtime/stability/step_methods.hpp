@@ -1,4 +1,4 @@
-// Turns groups that are assembled anew nearby into derivatives: central differences, complex step,
+// Derivatives from neighbouring assembled configurations: central differences, complex step,
 // Newton.
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace assur::stability {
 
-/// to - from: angles turn by their difference in (-pi, pi].
+/// to - from: the difference of angles lies in (-pi, pi].
 template <typename Model>
 [[nodiscard]] Vector<double, Model::unknown_count> difference(
     const typename Model::template Configuration<double>& to,
@@ -34,8 +34,8 @@ template <typename Model>
 }
 
 /// Central differences of configurations that Newton's iteration assembles from the given one. The
-/// step is eps^(1/3) of the size of the group, or of a radian, and the quotient is by the part of
-/// it that survives the addition. The step in time, in which the inputs move by about that size, is
+/// step is eps^(1/3) of the size of the group, or of a radian; the divisor is the step that the
+/// rounded sum represents. The step in time, in which the inputs move by about that size, is
 /// eps^(1/3) for velocities and eps^(1/4) for accelerations.
 template <typename Model>
 class CentralDifferences {
@@ -196,11 +196,11 @@ template <typename Model>
   return ComplexStep<Model>::answer(g);
 }
 
-/// The distance of the neighbour from which Newton's iteration starts: each unknown is off by this
-/// many radians or typical lengths, to alternating sides.
+/// The start of Newton's iteration: each unknown is off by this many radians or typical lengths,
+/// with alternating signs.
 inline constexpr double newton_neighbour = 0.1;
 
-/// Newton's iteration from a neighbour, then the generated derivatives where it settles.
+/// Newton's iteration from a neighbour, then the generated derivatives where it converges.
 template <typename Model>
 [[nodiscard]] Answer<Model> newton(const Geometry<Model, double>& given) {
   Geometry<Model, double> g = given;

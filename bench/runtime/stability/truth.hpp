@@ -1,4 +1,4 @@
-// Turns a geometry in 50 digits into its assembled configuration and the derivatives there.
+// The assembled configuration of a geometry in 50 digits, and its derivatives.
 #pragma once
 
 #include <Eigen/LU>
@@ -13,8 +13,8 @@ template <typename Model>
 struct Truth {
   Sensitivities<Model, Real> sensitivities;
   Motion<Model, Real> motion;
-  /// The largest entry of each column of J: an unknown's rate times it is a rate of the closure, so
-  /// weighted unknowns, angles and displacements alike, have one unit.
+  /// The largest entry of each column of J. An unknown's rate times its weight is a rate of the
+  /// closure, so that weighted angles and displacements have one unit.
   Vector<Real, Model::unknown_count> weights;
   double condition = 0;  ///< of J in the 1-norm, columns scaled by the weights
 };
@@ -22,7 +22,7 @@ struct Truth {
 template <typename Model>
 using RealJacobian = Matrix<Real, Model::equation_count, Model::unknown_count>;
 
-/// Newton's iteration on the loop closure. False if it does not settle at 45 digits.
+/// Newton's iteration on the loop closure. False if it does not converge to 45 digits.
 template <typename Model>
 [[nodiscard]] bool assemble(Geometry<Model, Real>& g) {
   const Real tolerance = g.size * Real("1e-45");
@@ -46,7 +46,7 @@ template <typename Model>
   return false;
 }
 
-/// The derivatives at g.q, whether it is assembled or not.
+/// The derivatives at g.q, whether or not it is assembled.
 template <typename Model>
 [[nodiscard]] Truth<Model> derivatives(const Geometry<Model, Real>& g) {
   Truth<Model> truth;
@@ -76,12 +76,12 @@ template <typename Model>
   return truth;
 }
 
-/// The acceleration that belongs to a velocity, right or not.
+/// The acceleration for a given velocity, right or not.
 template <typename Model>
 struct AccelerationOf {
   Vector<Real, Model::unknown_count> acceleration;
-  /// How much larger the centripetal and Coriolis terms of the right-hand side R are than R:
-  /// |dR/dv| |v| / |R|, at least one.
+  /// The centripetal and Coriolis terms of the right-hand side R relative to R:  |dR/dv| |v| / |R|,
+  /// at least one.
   double cancellation = 1;
 };
 

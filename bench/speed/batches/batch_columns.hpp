@@ -1,4 +1,4 @@
-// Turns groups and configurations into the columns that batches take, and answers back.
+// Groups and configurations stored as the columns that batch functions take.
 #pragma once
 
 #include <assur/batch.hpp>
@@ -21,13 +21,13 @@ struct VariableColumns {
   void put(std::size_t group, const Variables& variables) {
     put_group({numbers.data(), stride}, group, variables);
   }
-  /// The variables of the groups from `first` on.
+  /// The columns from group `first` on.
   [[nodiscard]] Columns<const Variables> from(std::size_t first) const {
     return {numbers.data() + first, stride};
   }
 };
 
-/// Room for the configurations of a number of groups.
+/// Storage for the configurations of a number of groups.
 template <typename Model>
 class AssemblyColumns {
   using Configuration = typename Model::template Configuration<double>;
@@ -62,7 +62,7 @@ class AssemblyColumns {
   std::vector<double> configurations_;
 };
 
-/// Room for the derivatives of a number of configurations.
+/// Storage for the derivatives of a number of configurations.
 template <typename Model>
 class DerivativeColumns {
   static constexpr auto unknowns = static_cast<std::size_t>(Model::unknown_count);

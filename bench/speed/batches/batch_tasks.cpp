@@ -1,4 +1,4 @@
-// Turns random groups into the batch tasks: many groups at once against one after the other.
+// The batch tasks: many random groups in one call against one after the other.
 #include <benchmark/benchmark.h>
 
 #include <assur/dyad/model_01.hpp>

@@ -12,7 +12,7 @@ namespace {
 
 using Sample = TetradSample<double>;
 
-/// A direction that turns with slot `first`: nothing trigonometric is left to the Jets.
+/// The Jet of a direction whose angle is slot `first`; no trigonometric function is evaluated.
 template <typename Jet>
 Direction<Jet> turning(const Direction<double>& direction, int slot) {
   Direction<Jet> result{Jet(direction.cos), Jet(direction.sin)};
@@ -82,7 +82,7 @@ ClosureAnswer<double> closure_jacobians(const Sample& sample) {
 }
 
 /// d2f/dt2 with the second rates of the unknowns left out: Jets of Jets in time. The closures are
-/// linear in the links' vectors, so each vector is moved by itself.
+/// linear in the links' vectors, so each vector is differentiated by itself.
 Eigen::Vector4d second_derivative(const Sample& sample, const Eigen::Vector4d& velocity) {
   using Inner = ceres::Jet<double, 1>;
   using Jet = ceres::Jet<Inner, 1>;

@@ -14,7 +14,7 @@ using Sample = TetradSample<double>;
 using Complex = std::complex<double>;
 using Point = stability::Geometry<Model01, Complex>;
 
-/// Its square vanishes beside one, so that nothing is cut off and nothing cancels.
+/// Its square vanishes beside one, so there is neither truncation nor cancellation.
 constexpr double h = 1e-100;
 
 Direction<Complex> turning(const Direction<Complex>& at, double rate) {
@@ -25,7 +25,7 @@ Direction<Complex> turning(const Direction<Complex>& at, double rate) {
 void displace(Complex& length) { length += Complex(0, h); }
 void displace(Direction<Complex>& direction) { direction = turning(direction, 1); }
 
-// Inlined, so that each evaluation knows which one variable is complex: half the time.
+// Inlined so that the compiler sees which one variable is complex: half the time.
 [[gnu::always_inline]] inline Eigen::Vector4d derivative(const Point& displaced) {
   Vector<Complex, 4> f;
   Model01::residual(displaced.d, displaced.u, displaced.q, f);

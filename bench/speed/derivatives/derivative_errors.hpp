@@ -1,4 +1,4 @@
-// Turns the answers to the derivative tasks and the truth into relative errors.
+// Relative errors of the answers to the derivative tasks.
 #pragma once
 
 #include "derivatives/tetrad_samples.hpp"
@@ -11,7 +11,7 @@ struct JacobianAnswer {
   Matrix<Scalar, 4, 4> by_unknowns;
 };
 
-/// J and its companions to dimensions and inputs.
+/// J and the derivatives with respect to dimensions and inputs.
 template <typename Scalar>
 struct ClosureAnswer {
   Matrix<Scalar, 4, 4> by_unknowns;
@@ -33,7 +33,7 @@ struct DerivativesAnswer {
   Status status = Status::ok;
 };
 
-/// max |x - truth| / max |truth|, infinite where something is not finite.
+/// max |x - truth| / max |truth|, infinite if any number is not finite.
 template <typename Computed, typename True>
 [[nodiscard]] double relative_error(const Computed& computed, const True& truth) {
   Precise difference(0);
@@ -52,7 +52,7 @@ template <typename Computed, typename True>
   return cln::double_approx(difference / size);
 }
 
-/// The largest over the columns, each against its own size.
+/// The largest over the columns, each relative to its own size.
 template <typename Computed, typename True>
 [[nodiscard]] double column_error(const Computed& computed, const True& truth) {
   double worst = 0;

@@ -1,4 +1,4 @@
-// Turns a method's functions of one sample into the entries of the derivative tasks.
+// The derivative tasks and the methods that take part in them.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -11,11 +11,11 @@
 
 namespace assur::speed {
 
-/// Samples that all methods of a scalar share, so that all find them in the same caches.
+/// Samples that all methods of a scalar share, so that the caches are alike for all.
 template <typename Scalar>
 using SharedSamples = std::shared_ptr<const std::vector<TetradSample<Scalar>>>;
 
-/// A derivative task in the making.
+/// A derivative task under construction.
 struct DerivativeTask {
   const TetradSamples& samples;
   Task task;
@@ -48,17 +48,17 @@ struct DerivativeTask {
   }
 };
 
-/// A method of the stability laboratory that assembles the group anew at each step.
+/// A method of the stability laboratory that assembles the group again at each step.
 template <stability::Answer<Model01> (*method)(const stability::Geometry<Model01, double>&)>
 [[nodiscard]] DerivativesAnswer<double> by_assemblies(const TetradSample<double>& sample) {
   const stability::Answer<Model01> answer = method(sample.g);
   return {answer.sensitivities, answer.motion, answer.status};
 }
 
-/// A derivative task asks one of these of every method.
+/// The quantity that a derivative task asks for.
 enum class Wanted : unsigned char { jacobian, closure, motion, derivatives };
 
-// One file per family of methods; each adds the methods that can compute what is wanted.
+// One file per family of methods; each adds the methods that compute the wanted quantity.
 void add_generated(DerivativeTask& task, Wanted wanted);
 void add_eigen(DerivativeTask& task, Wanted wanted);
 void add_ceres_jet(DerivativeTask& task, Wanted wanted);

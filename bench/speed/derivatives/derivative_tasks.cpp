@@ -1,4 +1,4 @@
-// Turns random and near-singular tetrads into the derivative tasks.
+// The derivative tasks: random and near-singular tetrads.
 #include "derivatives/derivative_methods.hpp"
 #include "tasks.hpp"
 

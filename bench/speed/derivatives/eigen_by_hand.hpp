@@ -1,12 +1,11 @@
-// Turns an RRR-RRR tetrad into its loop closures and their derivatives, written out as an engineer
-// would.
+// The loop closures of an RRR-RRR tetrad and their derivatives, written out as an engineer would.
 #pragma once
 
 #include "derivatives/derivative_errors.hpp"
 
 namespace assur::speed {
 
-/// The links' vectors from directions; what every closure, Jacobian and right-hand side is made of.
+/// The links' vectors from directions; every closure, Jacobian and right-hand side is made of them.
 struct HandVectors {
   using V = Eigen::Vector2d;
   V BC, BG, ED, EF, CD, GF;

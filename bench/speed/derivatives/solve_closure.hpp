@@ -1,4 +1,4 @@
-// Turns the derivatives of the loop closures into those of the configuration, by Eigen's LU.
+// Derivatives of a configuration from those of its loop closures, by Eigen's LU.
 #pragma once
 
 #include <Eigen/LU>
@@ -7,7 +7,7 @@
 
 namespace assur::speed {
 
-/// LU with partial pivoting of J, for the methods that have no elimination of their own.
+/// LU with partial pivoting of J, for methods without an elimination of their own.
 /// `second_derivative(velocity)` is d2f/dt2 with the second rates of the unknowns left out.
 template <typename Scalar, typename SecondDerivative>
 [[nodiscard]] DerivativesAnswer<Scalar> solved(const ClosureAnswer<Scalar>& f,
@@ -25,7 +25,7 @@ template <typename Scalar, typename SecondDerivative>
   return answer;
 }
 
-/// Velocity and acceleration alone; `first_derivative` is df/dt with the unknowns held.
+/// Velocity and acceleration only; `first_derivative` is df/dt with the unknowns held.
 template <typename Scalar, typename SecondDerivative>
 [[nodiscard]] MotionAnswer<Scalar> solved_motion(const Matrix<Scalar, 4, 4>& J,
                                                  const Vector<Scalar, 4>& first_derivative,

@@ -36,7 +36,7 @@ TetradTruth truth_at(const Model01::Dimensions<Precise>& d, const Model01::Input
   return truth;
 }
 
-/// Adds the configuration near `q`, set in motion, unless Newton's iteration does not settle.
+/// Adds the configuration near `q` with a random motion if Newton's iteration converges.
 void append(const Dimensions& d, const Inputs& u, const Configuration& q, Random& random,
             TetradSamples& samples) {
   const auto exact_d = in_scalar<Model01::Dimensions<Precise>>(d);
@@ -67,8 +67,9 @@ void append(const Dimensions& d, const Inputs& u, const Configuration& q, Random
   samples.truth.push_back(truth_at(exact_d, exact_u, exact_q, u_rate, u_second_rate));
 }
 
-/// Directions with det J = 0 up to a turn of GF by the root of the distance, ends and F moved so
-/// that the loops close:  (CD x BC) (GF x EF) = (CD x ED) (GF x BG)  with EF = BG + GF - EB.
+/// Directions with det J = 0, except that GF is rotated by the square root of the distance; the
+/// ends and F are moved so that the loops close:  (CD x BC) (GF x EF) = (CD x ED) (GF x BG)  with
+/// EF = BG + GF - EB.
 void make_near_singular(Random& random, double distance, Dimensions& d, Inputs& u,
                         Configuration& q) {
   d = random.variables<Dimensions>();

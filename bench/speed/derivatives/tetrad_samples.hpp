@@ -1,5 +1,4 @@
-// Turns random numbers into assembled RRR-RRR tetrads in motion, and their derivatives in 60
-// digits.
+// Random assembled RRR-RRR tetrads in motion, with derivatives in 60 digits.
 #pragma once
 
 #include <assur/tetrad/model_01.hpp>
@@ -12,15 +11,15 @@ namespace assur::speed {
 
 using tetrad::Model01;
 
-/// A group as a method is given it: every number of the assembled configuration rounded once,
-/// angles as directions and as radians.
+/// A group as the methods receive it: every number of the assembled configuration rounded once,
+/// angles as directions and in radians.
 template <typename Scalar>
 struct TetradSample {
   stability::Geometry<Model01, Scalar> g;
   Vector<Scalar, 4> theta;  ///< BCG, EDF, CD, GF
 };
 
-/// What is exact at the assembled configuration of a sample's d and u.
+/// The exact derivatives at the assembled configuration of a sample's d and u.
 struct TetradTruth {
   Matrix<Precise, 4, 4> by_unknowns;                ///< J
   Matrix<Precise, 4, 12> by_dimensions_and_inputs;  ///< F

@@ -1,5 +1,5 @@
-// Turns lengths and a crank's angle into positions and rates as one writes them by hand: code that
-// reports what cannot reach, and checks nothing else.
+// Positions and rates of dyads and a four-bar as one writes them by hand: the code reports that a
+// linkage does not close, and checks nothing else.
 #pragma once
 
 #include <array>
@@ -10,25 +10,25 @@
 
 namespace assur::speed {
 
-/// What a method lists, both configurations or none.
+/// The configurations that a method lists, both or none.
 template <typename Configuration>
 struct Pair {
   int count = 0;
   std::array<Configuration, 2> list;
 };
 
-/// The quantities of a configuration that are asked for, one after the other.
+/// The requested quantities of a configuration, one after the other.
 template <typename Scalar, std::size_t Numbers>
 using Listed = Pair<std::array<Scalar, Numbers>>;
 
 namespace by_hand {
 
-/// Both corners of triangles on the side (x, y) between two centres, at the distances r and R from
-/// them.
+/// The two third corners of the triangles on the side (x, y) between two centres, at the distances
+/// r and R from the centres.
 template <typename Scalar>
 struct Corners {
   bool reached;
-  Scalar along, across;  ///< parts of the side, to the corner on the left of it
+  Scalar along, across;  ///< components along the side and across it, to the corner on its left
 };
 
 template <typename Scalar>
@@ -95,7 +95,7 @@ struct BarAndBlock {
   }
 };
 
-/// RPR: a cylinder between two pivots, whose eyes may stand beside its axis.
+/// RPR: a cylinder between two pivots, which may be offset from its axis.
 struct Cylinder {
   using Model = dyad::Model03;
   [[nodiscard]] Pair<Model::Configuration<double>> operator()(
@@ -123,7 +123,7 @@ template <typename Scalar>
 struct SliderCrank {
   Scalar crank, rod, offset;
 
-  /// Where the slider stands along its guide.
+  /// The position of the slider on its guide.
   [[nodiscard]] Listed<Scalar, 1> operator()(const Scalar& angle) const {
     using std::cos;
     using std::sin;
@@ -143,7 +143,7 @@ template <typename Scalar>
 struct FourBar {
   Scalar ground, crank, coupler, rocker, reach;
 
-  /// Where the coupler's point stands.
+  /// The position of the coupler point.
   [[nodiscard]] Listed<Scalar, 2> position(const Scalar& angle) const {
     using std::cos;
     using std::sin;
@@ -164,7 +164,7 @@ struct FourBar {
             {{{x_middle - far * y, y_middle + far * x}, {x_middle + far * y, y_middle - far * x}}}};
   }
 
-  /// The crank's end with its velocity and its acceleration.
+  /// The end of the crank with its velocity and acceleration.
   struct CrankEnd {
     Scalar x, y, vx, vy, ax, ay;
   };
@@ -177,12 +177,12 @@ struct FourBar {
     return {x, y, vx, vy, -acceleration * y - velocity * vy, acceleration * x + velocity * vx};
   }
 
-  /// The coupler's vector from B to C and the rocker's from D to C, and how they turn.
+  /// The coupler vector from B to C, the rocker vector from D to C, and their rates.
   struct Bars {
     Scalar BC_x, BC_y, DC_x, DC_y, one_by_area;
     Scalar w_BC, w_DC, a_BC, a_DC;
   };
-  /// For a side (x, y) from B to D, and the parts of it to C.
+  /// Both bars from the side (x, y), B to D, and its components to C.
   [[nodiscard]] Bars bars(const CrankEnd& B, const Scalar& x, const Scalar& y, const Scalar& along,
                           const Scalar& left) const {
     Bars of;
@@ -203,7 +203,7 @@ struct FourBar {
     return of;
   }
 
-  /// The coupler's point, its velocity and its acceleration, by those of the crank.
+  /// Position, velocity and acceleration of the coupler point.
   [[nodiscard]] Listed<Scalar, 6> motion(const Scalar& angle, const Scalar& velocity,
                                          const Scalar& acceleration) const {
     using std::cos;

@@ -1,5 +1,5 @@
-// Turns random dyads and a turn of two cranks into the everyday tasks: every configuration with
-// certainty against code by hand that reports what cannot reach and checks nothing else.
+// The everyday tasks, random dyads and a turn of two cranks: every configuration with certainty
+// against code by hand that reports only that a linkage does not close.
 #include <benchmark/benchmark.h>
 
 #include <assur/scenes/four_bar_forces.hpp>
@@ -71,7 +71,7 @@ Task dyad_task(const std::string& kind, std::size_t inputs) {
   return task;
 }
 
-/// The largest error of the vectors of a configuration, each against its length.
+/// The largest relative error of the vectors of a configuration.
 template <std::size_t Numbers>
 double error_of(const std::array<double, Numbers>& found,
                 const std::array<Precise, Numbers>& exact) {
@@ -89,8 +89,8 @@ double error_of(const std::array<double, Numbers>& found,
   return largest;
 }
 
-/// The largest error of the configuration found nearest to each exact one; infinite where not as
-/// many are found.
+/// The largest error of the listed configuration nearest to each exact one; infinite if fewer are
+/// listed.
 template <std::size_t Numbers>
 double error_of(const Listed<double, Numbers>& found, const Listed<Precise, Numbers>& exact) {
   double largest = found.count == exact.count ? 0.0 : std::numeric_limits<double>::infinity();
@@ -139,7 +139,7 @@ void add(Task& task, const Turn<Numbers>& turn, const std::string& method, Find 
   task.entries.push_back(std::move(entry));
 }
 
-/// The configurations that a solver lists, by the quantities that are asked for.
+/// The requested quantities of the configurations that a solver lists.
 template <typename Solver, std::size_t Numbers, typename Numbered>
 Listed<double, Numbers> solved(double crank, const Numbered& numbers_of) {
   typename Solver::template Drivers<double> drivers;

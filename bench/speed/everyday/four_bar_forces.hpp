@@ -1,27 +1,26 @@
-// Turns the angle of a four-bar's crank into its torque and the forces in its pins as one writes
-// them by hand.
+// The crank torque and the pin forces of a four-bar as one writes them by hand.
 #pragma once
 
 #include "everyday/by_hand.hpp"
 
 namespace assur::speed::by_hand {
 
-/// The four-bar of four_bar_forces.json, at any scalar: kg, mm, s.
+/// The four-bar of four_bar_forces.json, in any scalar: kg, mm, s.
 template <typename Scalar>
 struct LoadedFourBar {
   struct Body {
-    Scalar mass, x, y, inertia;  ///< of a mass at (x, y) in the link's frame
+    Scalar mass, x, y, inertia;  ///< of a mass with its centre at (x, y) in the link's frame
   };
   FourBar<Scalar> lengths;
   Body crank, coupler, rocker;
   Scalar gravity, work, velocity, acceleration;
 
-  /// The forces on a link, and their moment about the place from which its mass is measured.
+  /// The force on a link, and its moment about the point from which its centre of mass is measured.
   struct Wrench {
     Scalar x, y, moment;
   };
-  /// Weight and inertia of a link: its direction, its angular velocity and acceleration, and the
-  /// acceleration of its frame's origin.
+  /// Weight and inertia force of a link from its direction, its angular velocity and acceleration,
+  /// and the acceleration of its frame's origin.
   [[nodiscard]] Wrench inertia(const Body& body, const Scalar& cos, const Scalar& sin,
                                const Scalar& w, const Scalar& a, const Scalar& ax,
                                const Scalar& ay) const {
@@ -33,8 +32,8 @@ struct LoadedFourBar {
     return {force_x, force_y, x * force_y - y * force_x - body.inertia * a};
   }
 
-  /// The torque at A and the moment on the ground, each beside the work on the rocker; the forces
-  /// at A on the crank, at B on the coupler, at C and at D on the rocker, and on the ground.
+  /// The torque at A and the moment on the ground, each followed by the work on the rocker; the
+  /// forces at A on the crank, at B on the coupler, at C and at D on the rocker, and on the ground.
   [[nodiscard]] Listed<Scalar, 14> operator()(const Scalar& angle) const {
     using std::cos;
     using std::sin;

@@ -1,5 +1,4 @@
-// Turns the loads of a group of pinned links into the forces in its joints by dense LU of three
-// equations a link.
+// Joint forces of a group of pinned links by dense LU of three equilibrium equations per link.
 #pragma once
 
 #include <Eigen/LU>
@@ -9,8 +8,8 @@
 
 namespace assur::speed {
 
-/// One joint on one link: where it is from the origin of the link's frame, in the directions of the
-/// fixed frame. The sign is 1 on the second link of the joint, on which its force acts.
+/// One joint on one link: its position from the origin of the link's frame, in the directions of
+/// the fixed frame. The sign is 1 on the second link of the joint, on which the joint's force acts.
 template <typename Scalar>
 struct PinOnLink {
   int joint, link, sign;
@@ -50,7 +49,7 @@ template <typename Scalar>
            pin(5, 3, 1, q.theta_GF, d.GF, zero)}};
 }
 
-/// The forces, rows (x, y) joint by joint, under loads (x, y, moment) of each link about the origin
+/// The forces, rows (x, y) joint by joint, under loads (x, y, moment) on each link about the origin
 /// of its frame.
 template <typename Model, typename Scalar>
 [[nodiscard]] Matrix<Scalar, Model::joint_count, 2> dense_forces(

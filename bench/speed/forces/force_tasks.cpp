@@ -1,5 +1,5 @@
-// Turns random dyads and tetrads under random loads into the force tasks: the transposed
-// elimination against dense LU of three equations a link.
+// The force tasks, random dyads and tetrads under random loads: the transposed elimination against
+// dense LU of three equations per link.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

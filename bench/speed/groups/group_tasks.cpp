@@ -1,5 +1,4 @@
-// Turns turns of a crank that carries a six-link group, or a row of dyads, into the tasks of larger
-// groups.
+// The tasks of larger groups: turns of a crank that carries a six-link group or a row of dyads.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/Eigenvalues>
@@ -30,7 +29,7 @@ using Found = std::vector<Bodies::Coordinates>;
 template <typename Solver>
 using States = std::array<typename Solver::template State<double>, Solver::max_configurations>;
 
-/// The largest difference of coordinates, of angles modulo a turn.
+/// The largest difference of coordinates; angles modulo a turn.
 template <typename One, typename Other>
 double apart(const One& one, const Other& other) {
   double result = 0;
@@ -76,7 +75,7 @@ Found emitted(double crank) {
   return result;
 }
 
-/// What Newton's method reaches from 200 starts, the same for every angle of the crank.
+/// The solutions that Newton's method reaches from 200 starts, the same for every crank angle.
 Found many_starts(double crank) {
   constexpr int starts = 200;
   static const std::vector<Bodies::Coordinates> all = [] {
@@ -102,7 +101,7 @@ Found many_starts(double crank) {
   return result;
 }
 
-/// The configurations that both methods tell together, each closed by Newton's method in long
+/// The union of the configurations that both methods find, each closed by Newton's method in long
 /// double.
 std::vector<Precise::Coordinates> truth_at(double crank) {
   const Precise bodies(crank);
@@ -118,8 +117,8 @@ std::vector<Precise::Coordinates> truth_at(double crank) {
   return result;
 }
 
-/// The largest distance from a true configuration to the nearest that is found; a failure where
-/// their numbers differ.
+/// The largest distance from a true configuration to the nearest found one; a failure where their
+/// numbers differ.
 double error_of(const Found& found, const std::vector<Precise::Coordinates>& truth) {
   double largest = found.size() == truth.size() ? 0 : std::numeric_limits<double>::infinity();
   for (const Precise::Coordinates& exact : truth) {
@@ -159,8 +158,8 @@ Entry found_by(const std::string& task, const std::string& method, const CrankAn
 
 using Matrix20 = Eigen::Matrix<std::complex<double>, 20, 20>;
 
-/// A yardstick that is no method: the eigenproblem, with vectors, of a full random matrix as large
-/// as the largest of a six-link group.
+/// A yardstick, not a method: the eigenvalues and eigenvectors of a full random matrix as large as
+/// the largest matrix of a six-link group.
 Entry eigenproblems(const std::string& task, std::size_t inputs) {
   Entry entry = entry_of(task, "Eigen, complex eigenproblem 20 x 20");
   std::mt19937 engine(16180);
@@ -232,7 +231,7 @@ Task configurations_task(std::size_t inputs, std::size_t phc_inputs) {
   return task;
 }
 
-/// A branch where it begins, and the angle to which it is followed.
+/// The start of a branch, and the angle to which it is followed.
 template <typename Solver>
 struct Step {
   typename Solver::Branch branch;
@@ -247,11 +246,11 @@ auto followed(const Step<Solver>& step, typename Solver::template State<double>&
   return Solver::track(drivers, branch, state).status;
 }
 
-/// Steps of 0.02 radians around the turn, of the first branch that each place has.
+/// Steps of 0.02 radians around the turn along the first branch at each crank angle.
 template <typename Solver>
 Entry followed_by(const std::string& task, const std::string& method, std::size_t inputs) {
   constexpr double step = 0.02;
-  const CrankAngles angles(4 * inputs);  // some places have no branch
+  const CrankAngles angles(4 * inputs);  // some angles have no branch
   auto steps = std::make_shared<std::vector<Step<Solver>>>();
   States<Solver> states;
   typename Solver::template State<double> reached;
@@ -302,7 +301,7 @@ std::vector<Task> group_tasks(const TaskSizes& sizes) {
       followed_by<SixLinks>(following.name, "emitted, six-link group", inputs));
   following.entries.push_back(
       followed_by<scenes::ThreeDyads>(following.name, "emitted, three dyads", inputs));
-  // Rows of fewer links tell how the time grows with their number.
+  // Rows of fewer links show how the time grows with their number.
   following.entries.push_back(
       followed_by<scenes::TwoDyads>(following.name, "emitted, two dyads", inputs));
   following.entries.push_back(

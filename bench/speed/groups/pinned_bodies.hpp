@@ -1,5 +1,4 @@
-// The links of the six-link group `three_pairs` as rigid bodies that pins join, for Newton's
-// method.
+// The links of the six-link group `three_pairs` as pinned rigid bodies, for Newton's method.
 #pragma once
 
 #include <Eigen/LU>
@@ -9,7 +8,7 @@
 namespace assur::speed {
 
 /// Six bodies with coordinates x, y and angle each, in the frames of the scene: the origin at the
-/// first point of a link, the x-axis towards its second one. It knows no loops.
+/// first point of a link, the x-axis towards its second one. Loops do not enter.
 template <typename Scalar>
 class PinnedBodies {
  public:
@@ -19,8 +18,8 @@ class PinnedBodies {
     places_[B] = places_[A] + std::polar(length_of(A, B), crank);
   }
 
-  /// Newton's method with steps of one radian, or one unit of length, at most; whether it came to
-  /// rest.
+  /// Newton's method with steps of at most one radian or one unit of length; returns whether it
+  /// converged.
   [[nodiscard]] bool assemble(Coordinates& q) const {
     constexpr int most_steps = 60;
     for (int step = 0; step < most_steps; ++step) {
@@ -41,8 +40,8 @@ class PinnedBodies {
   }
 
   using Complex = std::complex<Scalar>;
-  /// A bar between two of the first three bodies: with their directions z it closes where
-  /// |b + g z_first - f z_second| is its length.
+  /// A bar between two of the first three bodies. With the bodies' directions z it closes where |b
+  /// + g z_first - f z_second| is its length.
   struct Bar {
     int first, second;
     Complex b, g, f;
@@ -62,7 +61,7 @@ class PinnedBodies {
     }
     return result;
   }
-  /// The coordinates where the first three bodies have these directions.
+  /// The coordinates of all bodies for given directions of the first three.
   [[nodiscard]] Coordinates standing(const std::array<Complex, 3>& z) const {
     Coordinates q;
     const auto put = [&q](int body, const Complex& at, const Complex& direction) {
@@ -102,7 +101,7 @@ class PinnedBodies {
                                                    {T, {2, 4}},
                                                    {S, {1, 5}},
                                                    {U, {2, 5}}}};
-  /// Where the scene draws the points.
+  /// The points as drawn in the scene.
   static constexpr std::array<std::array<double, 2>, 10> drawn = {{{-2, 0},
                                                                    {-1, 1},
                                                                    {4, 0.5},
@@ -128,7 +127,7 @@ class PinnedBodies {
     return result;
   }
 
-  /// Where one of the first three bodies is pinned to the crank or the ground.
+  /// The pin that joins one of the first three bodies to the crank or the ground.
   [[nodiscard]] Complex pin_of(int body) const {
     return places_[axes[static_cast<std::size_t>(body)][0]];
   }

@@ -1,12 +1,12 @@
-// Turns what a method lists into the error of its positions, infinite if one is lost or invented.
+// The position error of a list of configurations, infinite if one is lost or invented.
 #pragma once
 
 #include "positions/position_samples.hpp"
 
 namespace assur::speed {
 
-/// The largest error of a complete answer. A configuration is lost if nothing that is listed is
-/// within its tolerance, and invented if it is beyond the true number.
+/// The largest error of a complete answer. A configuration is lost if no listed one is within its
+/// tolerance, and invented if the list is longer than the true one.
 template <typename Model>
 [[nodiscard]] double position_error(const Found<Model>& found, const PositionTruth<Model>& truth) {
   double worst = 0;

@@ -1,4 +1,4 @@
-// Methods that list all configurations of a group.
+// Methods that find all configurations of a group.
 #pragma once
 
 #include <Eigen/LU>
@@ -21,17 +21,17 @@ template <typename Model>
 using Polynomial = TrigonometricPolynomial<double, Model::polynomial_degree>;
 
 /// How far a computed root may be from the real line, or from the unit circle, and still count as a
-/// root: two that meet drift apart by the root of rounding. Of the powers of ten it is the one with
-/// the fewest failures, near singular groups and others.
+/// root: rounding moves two roots that meet apart by its square root. This power of ten has the
+/// fewest failures, near-singular groups and others.
 inline constexpr double nearly_real = 1e-5;
 
-/// How many steps a method takes for one configuration.
+/// The number of steps that a method takes for one configuration.
 struct Effort {
   int polishing_steps;  ///< Newton's, at most, from a root of the polynomial
   int newton_steps;     ///< from one of many starts
 };
-/// The first is enough in general, the second where two configurations meet: Newton's iteration
-/// begins slowly there.
+/// The first is enough in general, the second where two configurations meet, where Newton's
+/// iteration begins slowly.
 inline constexpr Effort usual_effort = {3, 20};
 inline constexpr Effort patient_effort = {10, 40};
 

@@ -1,4 +1,4 @@
-// Random groups that can be assembled, and all their configurations by Sturm's theorem and CLN.
+// Random groups that can be assembled, with all their configurations by Sturm's theorem and CLN.
 #pragma once
 
 #include <Eigen/LU>
@@ -40,7 +40,7 @@ template <typename Model>
 struct PositionTruth {
   std::size_t count = 0;  ///< by Sturm's theorem
   std::vector<typename Model::template Configuration<long double>> list;
-  std::vector<double> tolerances;  ///< within which an answer is that configuration
+  std::vector<double> tolerances;  ///< an answer this near is that configuration
 };
 
 /// Largest difference of two configurations, relative for displacements above one.
@@ -65,8 +65,8 @@ template <typename A, typename B>
   return static_cast<double>(largest);
 }
 
-/// The condition of a configuration: how far it moves, to first order, if every given length and
-/// angle changes by a small part of itself or of a radian, over that part.
+/// The condition number of a configuration: its displacement to first order per relative change of
+/// every given length, and per radian of every given angle.
 template <typename Model>
 [[nodiscard]] double condition(const PositionSample<Model>& sample,
                                const typename Model::template Configuration<long double>& q) {
@@ -100,9 +100,9 @@ template <typename Model>
   return static_cast<double>(moved.maxCoeff());
 }
 
-/// 1e-6, or a third of the way to the next configuration if that is less, so that one answer is
-/// never two configurations; but never less than the distance by which a hundred roundings of what
-/// is given move the configuration, because doubles cannot resolve that.
+/// 1e-6, or a third of the distance to the next configuration if that is less, so that one answer
+/// is never two configurations; but at least the displacement that a hundred roundings of the given
+/// numbers cause, because doubles cannot resolve less.
 template <typename Model>
 void set_tolerances(const PositionSample<Model>& sample, PositionTruth<Model>& truth) {
   for (const auto& q : truth.list) {
@@ -146,7 +146,7 @@ template <typename Model>
   return truth;
 }
 
-/// Groups with lengths from -2 to 2, all of which can be assembled: the others would be cheap.
+/// Groups with lengths from -2 to 2 that can be assembled; the others would be cheap.
 template <typename Model>
 [[nodiscard]] PositionSamples<Model> random_positions(std::size_t count) {
   test::RandomInputs random(31415 + static_cast<unsigned>(Model::number));
@@ -164,7 +164,7 @@ template <typename Model>
   return samples;
 }
 
-/// The groups of tetrad samples, without the configurations that these are in.
+/// The groups of tetrad samples without their configurations.
 template <typename Model>
 [[nodiscard]] PositionSamples<Model> positions_of(
     const std::vector<TetradSample<double>>& tetrads) {

@@ -1,4 +1,4 @@
-// Turns random groups of models with 6, 4, 2 and 1 configurations into the position tasks.
+// The position tasks: random groups of models with 6, 4, 2 and 1 configurations.
 #include <benchmark/benchmark.h>
 
 #include <assur/tetrad/model_01.hpp>

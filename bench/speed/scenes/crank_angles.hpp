@@ -1,11 +1,11 @@
-// The angles of a crank around the turn.
+// Crank angles over a turn.
 #pragma once
 
 #include <cstddef>
 
 namespace assur::speed {
 
-/// The crank's angles: a turn in equal steps, no end of which is a special position.
+/// A turn in equal steps; neither end is a special position.
 class CrankAngles {
  public:
   explicit CrankAngles(std::size_t count) : count_(count) {}

@@ -1,4 +1,4 @@
-// Turns the six-bar's 360 positions into the scene tasks: the worst case of its point M.
+// The scene tasks: the worst case of the six-bar's point M at 360 positions.
 #include <benchmark/benchmark.h>
 
 #include <assur/scenes/zhauyt_2017_six_bar.hpp>
@@ -15,7 +15,7 @@ namespace {
 using Solver = scenes::Zhauyt2017SixBar;
 using P = SixBar;
 
-/// The six-bar in one scalar: the group's dimensions, and how they follow the parameters.
+/// The six-bar in one scalar: the group's dimensions and their derivatives by the parameters.
 template <typename Scalar>
 struct Mechanism {
   Scalar OA;
@@ -52,7 +52,7 @@ struct Mechanism {
   }
 
  private:
-  /// CLN takes the root of an integer in single precision, so it must be a float of 60 digits.
+  /// A float of 60 digits, since CLN takes the root of an integer in single precision.
   static Scalar scalar(double value) {
     if constexpr (std::is_same_v<Scalar, Precise>) {
       return precise(value);
@@ -71,7 +71,7 @@ Vector<Scalar, 2> worst_case(const Mechanism<Scalar>& mechanism, const Direction
   const auto& plate_turn = q.theta_CEG;
   const auto& bar_turn = q.theta_BC;
   const auto& at = mechanism.at;
-  // M moves by these when the plate or the bar turns.
+  // The displacement of M per rotation of the plate and of the bar.
   const Scalar x_plate = -(plate_turn.sin * at.x_M + plate_turn.cos * at.y_M);
   const Scalar y_plate = plate_turn.cos * at.x_M - plate_turn.sin * at.y_M;
   const Scalar x_bar = -mechanism.d.BC * bar_turn.sin;
@@ -134,7 +134,7 @@ SixBarAnswer tracked(const SixBarSample& sample) {
   return way.status == Status::ok ? at_known(sample.crank, way.point.q) : SixBarAnswer{true, {}};
 }
 
-/// Both configurations with all that the scene wants: velocities and accelerations as well.
+/// Both configurations with all results of the scene, velocities and accelerations included.
 SixBarAnswer all_configurations(const SixBarSample& sample) {
   std::array<Solver::State<double>, Solver::max_configurations> states;
   Solver::Drivers<double> drivers;

@@ -1,4 +1,4 @@
-// The third-class six-bar of Zhauyt et al. (2017) over a turn: what its methods are given.
+// The third-class six-bar of Zhauyt et al. (2017) over a turn: the input of its methods.
 #pragma once
 
 #include <assur/tracking.hpp>
@@ -20,7 +20,7 @@ struct SixBar {
   static constexpr int positions = 360;
 };
 
-/// The plate's points D and M in its frame, M's by its parameter BE alone.
+/// The plate's points D and M in its frame; M's derivatives with respect to BE only.
 template <typename Scalar>
 struct Plate {
   Scalar x_D, y_D, x_M, y_M;
@@ -46,16 +46,16 @@ struct SixBarSample {
   Eigen::Vector4d previous_theta;
 };
 
-/// Half the width of the range in which M lies, in x and in y.
+/// Half the width of the range of M, in x and in y.
 struct SixBarAnswer {
   bool failed = false;
   Eigen::Vector2d worst_case;
 };
 
 #ifdef ASSUR_CERES
-/// Sensitivities by Jets and LU where the angles are known.
+/// Sensitivities by Jets and LU at known angles.
 [[nodiscard]] SixBarAnswer six_bar_by_jets(double crank, const Eigen::Vector4d& theta);
-/// Newton with Jets and LU from other angles, then the sensitivities.
+/// Newton's method with Jets and LU from other angles, then the sensitivities.
 [[nodiscard]] SixBarAnswer six_bar_tracked_by_jets(double crank, Eigen::Vector4d theta);
 #endif
 

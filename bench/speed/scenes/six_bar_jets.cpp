@@ -9,7 +9,7 @@ namespace assur::speed {
 
 namespace {
 
-/// The closures of the loops through E and D, from the scalars that the caller differentiates by.
+/// The closures of the loops through E and D in the caller's scalar.
 template <typename T>
 struct Closure {
   std::array<T, 4> f;
@@ -47,7 +47,7 @@ Plate<Scalar> made_plate(const std::array<Scalar, SixBar::parameters>& a) {
                        {Scalar(0.5), Scalar(std::sqrt(0.75))});
 }
 
-/// The parameters as Jets, and the plate, do not change from position to position.
+/// The parameters as Jets, and the plate, are the same at all positions.
 const std::array<Jet, SixBar::parameters>& parameter_jets() {
   static const auto list = [] {
     std::array<Jet, SixBar::parameters> made;

@@ -1,4 +1,4 @@
-// Turns Jansen's leg and a turn of its crank into the task of sweeping a scene.
+// The task of sweeping a scene: Jansen's leg over a turn of its crank.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -24,8 +24,8 @@ struct PrecisePoint {
   Precise x, y;
 };
 
-/// The corner of a triangle over the side from P to Q, at distances p and q from these, to the
-/// left (+1) or right (-1) of it; none where the sides do not meet.
+/// The third corner of a triangle on the side from P to Q, at distances p and q from these, to the
+/// left (+1) or right (-1) of it; none where the circles do not meet.
 std::optional<PrecisePoint> corner(const PrecisePoint& P, const PrecisePoint& Q, const Precise& p,
                                    const Precise& q, int side) {
   const Precise dx = Q.x - P.x;
@@ -40,8 +40,8 @@ std::optional<PrecisePoint> corner(const PrecisePoint& P, const PrecisePoint& Q,
   return PrecisePoint{P.x + along * dx - across * dy, P.y + along * dy + across * dx};
 }
 
-/// The foot in every configuration of the leg, by its triangles alone; docs/guide/scenes.md draws
-/// them.
+/// The foot in every configuration of the leg, by its triangles alone; they are drawn in
+/// docs/guide/scenes.md.
 std::vector<PrecisePoint> feet(double crank) {
   const auto length = [](double value) { return precise(value); };
   const Precise b = length(41.5);
@@ -66,8 +66,8 @@ std::vector<PrecisePoint> feet(double crank) {
   return result;
 }
 
-/// Largest distance of a foot from the exact one that is nearest, against its distance from the
-/// crank's axis; infinite where their numbers differ.
+/// Largest distance of a foot from the nearest exact one, relative to its distance from the crank's
+/// axis; infinite where their numbers differ.
 double error_of(const std::vector<Foot>& found, const std::vector<PrecisePoint>& truth) {
   double largest = found.size() == truth.size() ? 0.0 : std::numeric_limits<double>::infinity();
   for (const Foot& foot : found) {
@@ -115,7 +115,7 @@ void sweep_emitted(const CrankAngles& angles, std::size_t first, std::size_t las
   }
 }
 
-/// The entry of a method that sweeps a part of the angles and hands out every foot.
+/// The entry of a method that sweeps a part of the angles and hands over every foot.
 template <typename SweepPart>
 Entry entry_of(const std::string& task, const std::string& method, const CrankAngles& angles,
                const std::vector<std::vector<PrecisePoint>>& truth, const SweepPart& sweep_part) {

@@ -8,8 +8,8 @@ namespace assur::speed {
 
 namespace {
 
-/// The family, as the legend numbers it, of methods whose names begin in this way, and what a label
-/// says in place of that beginning. The first entry that fits counts.
+/// The family, as numbered in the legend, of methods whose names start with `begins`, and the
+/// label that replaces this start. The first match counts.
 struct Naming {
   std::string_view begins;
   int family;
@@ -55,8 +55,8 @@ const Naming& naming_of(const std::string& method) {
   return *found;
 }
 
-/// Markers of float and long double, and all but one step of differences, have no label unless they
-/// fail in some inputs.
+/// Markers of float and long double, and all but one step size of differences, have no label unless
+/// they fail on some inputs.
 std::string label_of(const Row& row) {
   const Naming& naming = naming_of(row.method);
   const bool named = row.scalar == "double" && naming.label.data() != nullptr;
@@ -69,7 +69,7 @@ std::string label_of(const Row& row) {
   return failures.empty() ? label : label + " " + failures;
 }
 
-/// A method in a panel: where its marker stands, and at which height its label stands at the right.
+/// A method in a panel: the place of its marker, and the height of its label at the right.
 struct Mark {
   const Row* row;
   std::string label;
@@ -79,11 +79,10 @@ struct Mark {
   [[nodiscard]] double time() const { return std::log10(row->ns); }
 };
 
-/// Whether two labels, which stand at the time `right`, are to change places: since the lines to
-/// them from their markers cross, or since one line passes through the other marker and need not.
+/// Whether two labels at the time `right` should change places: the lines from their markers cross,
+/// or one line passes through the other marker needlessly.
 bool better_exchanged(const Mark& one, const Mark& other, double right) {
-  constexpr double radius =
-      0.025;  // of a marker, with the distance that keeps a line apart from it
+  constexpr double radius = 0.025;  // of a marker, with the gap between it and a line
   const Mark& first = one.time() < other.time() ? one : other;
   const Mark& later = one.time() < other.time() ? other : one;
   const double way = (later.time() - first.time()) / (right - first.time());

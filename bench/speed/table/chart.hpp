@@ -1,4 +1,4 @@
-// Turns measured rows into the columns that speed_accuracy.gp draws.
+// The columns that speed_accuracy.gp draws.
 #pragma once
 
 #include <ostream>
@@ -9,8 +9,8 @@
 namespace assur::speed {
 
 /// A block per task, a line per row: ns, error, failures, label, family, scalar, task, height of
-/// the label, lowest and highest error of the panel. Families and scalars are numbered as the
-/// chart's legend has them.
+/// the label, lowest and highest error of the panel. Families and scalars are numbered as in the
+/// chart's legend.
 void write_chart_columns(const std::vector<Task>& tasks, std::ostream& out);
 
 }  // namespace assur::speed

@@ -19,7 +19,7 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// The median difference of two readings of the clock, one after the other.
+/// The median difference of two consecutive readings of the clock.
 double clock_ns() {
   std::vector<double> samples;
   for (int repeat = 0; repeat < 1000; ++repeat) {
@@ -32,7 +32,7 @@ double clock_ns() {
 void measure(Task& task, const TimerSettings& settings, double clock) {
   const std::size_t slices = std::min(settings.slices, task.inputs);
   const std::size_t width = task.inputs / slices;
-  std::vector<Entry*> entries;  // an entry that cannot be run here brings its time
+  std::vector<Entry*> entries;  // an entry that cannot be run here has its time already
   for (Entry& entry : task.entries) {
     if (entry.run) {
       entries.push_back(&entry);

@@ -1,4 +1,4 @@
-// Turns the entries of tasks into times, interleaved so that the machine's drift hits all alike.
+// Times methods in turn, interleaved so that drift of the machine's speed affects all alike.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@ namespace assur::speed {
 
 struct TimerSettings {
   int rounds = 15;         ///< over all inputs
-  std::size_t slices = 8;  ///< into which the inputs are divided
+  std::size_t slices = 8;  ///< number of parts into which the inputs are divided
   /// A method that takes longer over one slice is timed in the first round only.
   double patience_ms = 20;
 };

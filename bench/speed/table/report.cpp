@@ -44,7 +44,7 @@ void write_json(const std::vector<Task>& tasks, std::ostream& out) {
       line["task"] = row.task;
       line["method"] = row.method;
       line["scalar"] = row.scalar;
-      // Three digits of what a quiet machine repeats to two.
+      // Three digits; a quiet machine repeats two.
       line["ns"] = std::stod(text("%.3g", row.ns));
       const auto number = [](double error) {
         return std::isfinite(error) ? nlohmann::ordered_json(std::stod(text("%.2g", error)))
@@ -64,7 +64,7 @@ void write_json(const std::vector<Task>& tasks, std::ostream& out) {
   out << "\n]\n";
 }
 
-/// What a ratio, divided by its target, says of the target.
+/// The verdict on a target, from a ratio divided by it.
 std::string verdict(double share) {
   return share <= 1  ? "met"
          : share < 2 ? "missed by " + text("%.2g", 100 * (share - 1)) + " %"

@@ -1,4 +1,4 @@
-// Turns measured rows into JSON, Markdown tables and the columns of the chart.
+// Writes measured rows as JSON, Markdown tables and the columns of the chart.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// One line of the table of speed against accuracy, and the errors it sums up.
+// A row of the table of speed against accuracy, and the errors that it summarises.
 #pragma once
 
 #include <algorithm>
@@ -18,20 +18,20 @@ struct Row {
   std::string method;
   std::string scalar = "double";
   double ns = 0;              ///< median per evaluation
-  double error = 0;           ///< the largest relative error of the answers that are no failure
+  double error = 0;           ///< the largest relative error of the answers that are not failures
   double error_999 = 0;       ///< the 99.9th percentile, where failures count as infinite
   std::size_t failures = 0;   ///< inputs with no or a wrong answer
-  std::size_t evaluated = 0;  ///< inputs that the error and the failures are taken over
+  std::size_t evaluated = 0;  ///< inputs over which the error and the failures are taken
   std::optional<std::size_t> unreported{};  ///< of a tracking task: wrong answers without a report
 };
 
-/// An answer with less than two digits is wrong.
+/// An answer with fewer than two correct digits is wrong.
 inline constexpr double wrong_error = 0.01;
 
 /// Collects the relative errors of one method.
 class ErrorTally {
  public:
-  /// NaN and infinite are failures.
+  /// NaN and infinity are failures.
   void add(double error) {
     errors_.push_back(error <= wrong_error ? error : std::numeric_limits<double>::infinity());
   }
@@ -53,14 +53,14 @@ class ErrorTally {
   std::vector<double> errors_;
 };
 
-/// A row whose time is still to be measured. `run` evaluates the inputs from the first to before
-/// the last and discards the answers.
+/// A row whose time is still to be measured. `run` evaluates the inputs in [first, last) and
+/// discards the answers.
 struct Entry {
   Row row;
   std::function<void(std::size_t first, std::size_t last)> run;
 };
 
-/// Methods that do the same to the same inputs.
+/// Methods that do the same work on the same inputs.
 struct Task {
   std::string name;
   std::size_t inputs = 0;

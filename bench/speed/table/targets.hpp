@@ -1,4 +1,4 @@
-// The targets: ratios of two rows of one run.
+// Targets of speed and accuracy: bounds on the ratio of two rows of one run.
 #pragma once
 
 #include "table/row.hpp"
@@ -7,7 +7,7 @@ namespace assur::speed {
 
 enum class Measure : unsigned char { time, error };
 
-/// `method` costs, or errs, at most this part of what `peer` does on the task.
+/// The cost, or the error, of `method` is at most this part of that of `peer` on the task.
 struct Target {
   const char* task;
   const char* method;

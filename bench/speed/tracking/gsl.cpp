@@ -25,7 +25,7 @@ int both(const gsl_vector* theta, void* data, gsl_vector* f, gsl_matrix* J) {
   return jacobian(theta, data, J);
 }
 
-/// The workspace is made once.
+/// The workspace, made once.
 gsl_multiroot_fdfsolver* solver() {
   static gsl_multiroot_fdfsolver* made = [] {
     gsl_set_error_handler_off();

@@ -27,7 +27,7 @@ TrackingAnswer track_by_minpack(const TrackingSample& sample) {
   std::array<double, 4 * (4 + 13) / 2> work;
   const int status = hybrj1(evaluate, &closure, 4, theta.data(), f.data(), jacobian.data(), 4,
                             1e-14, work.data(), static_cast<int>(work.size()));
-  // 1: converged; 3: the tolerance is below what rounding lets reach; 4: progress has become slow.
+  // 1: converged; 3: the tolerance is below the rounding errors; 4: progress has become slow.
   if ((status != 1 && status != 3 && status != 4) || !(f.cwiseAbs().maxCoeff() < closed)) {
     return {true, {}};
   }

@@ -61,7 +61,7 @@ class Sketch {
     Slvs_Solve(&system, free_group);
     return system.result == SLVS_RESULT_OKAY;
   }
-  /// The place of the n-th point, in the order in which the points were added.
+  /// The position of the n-th point, in the order in which the points were added.
   [[nodiscard]] Eigen::Vector2d place(std::size_t number) const {
     return {parameters_[7 + 2 * number].val, parameters_[8 + 2 * number].val};
   }

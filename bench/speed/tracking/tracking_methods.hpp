@@ -1,5 +1,4 @@
-// What a method of tracking is given and hands back, and the closures in the form that the peers
-// take.
+// Input and answer of a tracking method, and the closures in the form that the peers take.
 #pragma once
 
 #include "derivatives/eigen_by_hand.hpp"
@@ -7,7 +6,7 @@
 
 namespace assur::speed {
 
-/// A configuration, or a report that there is none.
+/// A configuration, or empty with a report that there is none.
 struct TrackingAnswer {
   bool reported = false;
   Model01::Configuration<double> q;
@@ -47,7 +46,7 @@ class TrackingClosure {
            direction_of(theta[3])}};
 }
 
-/// A residual above this is no solution, whatever the solver says.
+/// A residual above this is not a solution, whatever the solver reports.
 inline constexpr double closed = 1e-10;
 
 [[nodiscard]] TrackingAnswer track_by_kinsol(const TrackingSample& sample);

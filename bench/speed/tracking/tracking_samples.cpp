@@ -8,7 +8,7 @@ namespace {
 
 constexpr unsigned seed = 57721;
 
-/// The configuration nearest to another, and the distance of the second nearest.
+/// The configuration nearest to another one, and the distance of the second nearest.
 struct Nearest {
   int index = -1;
   double distance = 10;
@@ -28,9 +28,9 @@ Nearest nearest(const Assemblies<Model01>& set, const Model01::Configuration<dou
   return result;
 }
 
-/// Follows the branch by complete sets of configurations, so that nothing is guessed: a match must
-/// be 20 times nearer than any other configuration, or the interval is halved. Empty where the
-/// branch ends; `unclear` where even a billionth of the step does not decide.
+/// Follows the branch by complete sets of configurations: a match must be 20 times nearer than any
+/// other configuration, or the interval is halved. Empty where the branch ends; `unclear` where
+/// even a billionth of the step does not decide.
 std::optional<Model01::Configuration<double>> follow(const TrackingSample& sample, double from,
                                                      double to, Model01::Configuration<double> q,
                                                      bool& unclear) {
@@ -48,7 +48,7 @@ std::optional<Model01::Configuration<double>> follow(const TrackingSample& sampl
     }
     width = (next - from) / 2;
     if (width < shortest) {
-      // Near a fold the two that meet come close before they end, as the root of the distance.
+      // Near a fold the two configurations that meet are apart by the square root of the distance.
       const auto here = assemblies<Model01>(sample.d, sample.at(from).u);
       const auto beyond = assemblies<Model01>(sample.d, sample.at(from + 1e-6).u);
       unclear = beyond.count >= here.count;

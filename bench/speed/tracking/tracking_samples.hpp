@@ -1,4 +1,4 @@
-// Single steps of cranks that drive RRR-RRR tetrads, and where the branch goes by fine
+// Single steps of cranks that drive RRR-RRR tetrads, with the end of the branch by fine
 // continuation.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace assur::speed {
 
 using tetrad::Model01;
 
-/// A step of the crank that carries joint B.
+/// A step of the crank that moves joint B.
 struct TrackingSample {
   Model01::Dimensions<double> d;
   Model01::Inputs<double> u;  ///< x_B, y_B: the crank's pivot
@@ -31,7 +31,7 @@ struct TrackingSample {
 
 struct TrackingSamples {
   std::vector<TrackingSample> list;
-  /// The configuration of the branch at `to`; empty where the branch ends before.
+  /// The configuration of the branch at `to`; empty where the branch ends earlier.
   std::vector<std::optional<Model01::Configuration<long double>>> ends;
 };
 

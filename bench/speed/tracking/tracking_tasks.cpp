@@ -1,4 +1,4 @@
-// Turns single steps of driven tetrads into the tracking tasks.
+// The tracking tasks: single steps of driven tetrads.
 #include <benchmark/benchmark.h>
 
 #include <Eigen/LU>
@@ -18,7 +18,7 @@ TrackingAnswer generated(const TrackingSample& sample) {
   return {way.status != Status::ok, way.point.q};
 }
 
-/// Newton from the neighbour as it stands, the generated elimination in place of LU.
+/// Newton's method from the previous configuration, with the generated elimination in place of LU.
 TrackingAnswer generated_newton(const TrackingSample& sample) {
   TrackingAnswer answer{false, sample.start.q};
   const Status status = refine<Model01, double>(sample.d, sample.at(sample.to).u, answer.q);
@@ -26,7 +26,7 @@ TrackingAnswer generated_newton(const TrackingSample& sample) {
   return answer;
 }
 
-/// All configurations, and the nearest of them.
+/// All configurations, of which the nearest is taken.
 TrackingAnswer nearest_of_all(const TrackingSample& sample) {
   const auto set = assemblies<Model01>(sample.d, sample.at(sample.to).u);
   TrackingAnswer answer{true, sample.start.q};
@@ -73,7 +73,7 @@ class TrackingTask {
       const TrackingAnswer answer = follow(samples_->list[index]);
       const auto& end = samples_->ends[index];
       if (answer.reported) {
-        // A report is right where the branch ends; otherwise it is no answer.
+        // Reporting failure is right where the branch ends; elsewhere it is a missing answer.
         end ? tally.add_failure() : tally.add(0);
         continue;
       }

@@ -64,7 +64,7 @@ std::vector<CodeEntry> CodeReader::entries_of(const std::vector<Cell>& cells,
   }
   std::vector<CodeEntry> entries;
   for (const Cell& cell : cells) {
-    if (cell.source.empty()) {  // what was assigned cannot be read
+    if (cell.source.empty()) {  // the assigned expression cannot be read
       throw CodeError(cell.reason, cell.place);
     }
     entries.push_back({cell.source, cell});

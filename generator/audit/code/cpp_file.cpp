@@ -10,8 +10,8 @@ namespace assur::generator::audit::code {
 
 namespace {
 
-/// Words that make a statement more than a plain assignment, and what they introduce. They could
-/// not be read anyway; this says it better.
+/// Keywords of statements other than plain assignments, and their explanations. Such statements are
+/// refused in any case; this gives the better message.
 const std::map<std::string, std::string>& explained_words() {
   static const std::map<std::string, std::string> list = [] {
     std::map<std::string, std::string> words;
@@ -120,8 +120,8 @@ class FileReader {
     templated_ = true;
   }
 
-  /// `struct P {`, `struct P;`, `typedef struct {`, `typedef struct P {`, and what begins with
-  /// them.
+  /// `struct P {`, `struct P;`, `typedef struct {`, `typedef struct P {`, and longer statements
+  /// that begin so.
   [[nodiscard]] bool is_structure() const {
     const std::size_t word = next_is("typedef") ? 1 : 0;
     if (!next_is("struct", word)) {
@@ -229,7 +229,7 @@ class FileReader {
                  tokens_.subspan(parameters + 1, behind - parameters - 2),
                  tokens_.subspan(body + 1, at_ - body - 2),
                  templated};
-    // Before its braces a function may say that it changes no member and throws nothing.
+    // Between the parameters and the braces, `const` and `noexcept` are allowed.
     item.odd = std::find_if(between.begin(), between.end(), [](const Token& token) {
                  return !token.is("const") && !token.is("noexcept");
                }) != between.end();

@@ -1,4 +1,4 @@
-// What a C++ file declares: functions, structures, statements, and lines for the preprocessor.
+// The declarations of a C++ file: functions, structures, statements and preprocessor lines.
 #pragma once
 
 #include "audit/code/tokens.hpp"
@@ -11,21 +11,21 @@ struct CppItem {
   Kind kind;
   Tokens all;                   ///< of a statement, without its semicolon
   const Token* name = nullptr;  ///< of a function or a structure
-  Tokens type{};                ///< what stands before a function's name
+  Tokens type{};                ///< the tokens before a function's name
   Tokens parameters{};
   Tokens inside{};         ///< between the braces
   bool templated = false;  ///< its types are given by a template
-  bool odd = false;        ///< more than parameters stands before a function's braces
+  bool odd = false;        ///< other tokens between a function's parameters and its braces
 };
 
-/// Throws CodeError for what is neither a statement, nor a function, nor a structure with a list of
-/// members, nor an enumeration; for macros and conditions of the preprocessor; and for operators.
+/// Throws CodeError for anything but a statement, a function, a structure with a list of members or
+/// an enumeration; for macros and conditions of the preprocessor; and for operators.
 [[nodiscard]] std::vector<CppItem> cpp_items(Tokens tokens);
 
-/// The statements between braces. Throws CodeError for control flow, nested blocks and what stands
-/// behind a `return`.
+/// The statements between braces. Throws CodeError for control flow, nested blocks and statements
+/// after a `return`.
 [[nodiscard]] std::vector<Tokens> statements_of(Tokens inside);
-/// Throws CodeError for a word of control flow or memory, and says which.
+/// Throws CodeError that names the keyword of control flow or memory, if there is one.
 void expect_plain_words(Tokens statement);
 
 /// Whether a token names the variable, and not a member of something else.
@@ -33,8 +33,8 @@ void expect_plain_words(Tokens statement);
 /// The first token that names the variable, or nullptr.
 [[nodiscard]] const Token* mention_of(Tokens tokens, const std::string& name);
 
-/// Throws CodeError unless all directives change nothing: known headers, `#pragma once`, `#define
-/// _USE_MATH_DEFINES`, and a guard around the file.
+/// Throws CodeError unless no directive changes the code: known headers, `#pragma once`, `#define
+/// _USE_MATH_DEFINES`, and an include guard are allowed.
 void check_directives(Tokens tokens);
 
 }  // namespace assur::generator::audit::code

@@ -23,7 +23,7 @@ void CppFilledMatrix::take_parameter(const Declarator& declared) {
   own_ = !declared.type.is_shared() && !declared.type.plain;
 }
 
-/// Throws CodeError unless it is a matrix of real numbers of the audited size.
+/// Throws CodeError unless the type is a matrix of real numbers of the audited size.
 Variable& CppFilledMatrix::declare_variable(const Declarator& declared) {
   const Type& type = declared.type;
   if (type.kind != Type::Kind::other && (type.sort == Sort::whole || type.sort == Sort::rounded)) {
@@ -73,7 +73,7 @@ void CppFilledMatrix::declare(const Declarator& declared) {
   } else if (assigned && is_zero(rest.subspan(1))) {
     matrix.zero = true;
   } else if (!rest.empty()) {
-    // Braces with zeros or nothing set an array to zero, but not the entries of Eigen's classes.
+    // `{}` and `{0}` set an array to zero, but not the entries of Eigen's classes.
     const Tokens braces = rest.subspan(assigned ? 1 : 0);
     const bool nothing = is_enclosed(braces, "{") && is_nothing(braces);
     matrix.zero = nothing && class_of_known_size;
@@ -144,7 +144,7 @@ void CppFilledMatrix::fill(Tokens statement) {
   }
 }
 
-/// `J << a, b, c, d`, where no value reads the matrix, since some entries are set before.
+/// `J << a, b, c, d`; no value may read the matrix, since some entries are set before.
 void CppFilledMatrix::set_all(const std::vector<Tokens>& values, const Token& first) {
   if (values.size() != scope_.audited().rows * scope_.audited().columns) {
     throw CodeError(scope_.array() + " is audited as " + scope_.audited().size_text() +
@@ -175,7 +175,7 @@ void CppFilledMatrix::set_all(const std::vector<Tokens>& values, const Token& fi
   }
 }
 
-/// Whether what stands behind the matrix's name sets all its entries to zero.
+/// Whether the tokens after the matrix's name set all its entries to zero.
 bool CppFilledMatrix::clears(Tokens rest) const {
   if (are(rest, {".", "setZero", "(", "#", ",", "#", ")"})) {
     expect_shape(whole_number(rest[3]), whole_number(rest[5]), rest[1]);

@@ -1,16 +1,16 @@
-// The matrix that C++ fills: how it is declared, cleared and set, entry by entry or all at once.
+// The matrix that C++ code declares, clears and fills, entry by entry or as a whole.
 #pragma once
 
 #include "audit/code/cpp_scope.hpp"
 
 namespace assur::generator::audit::code {
 
-/// The entries go into the variables of the scope, which has to live on.
+/// The entries are stored in the variables of the scope, which must outlive this object.
 class CppFilledMatrix {
  public:
   explicit CppFilledMatrix(CppScope& scope) : scope_(scope) {}
 
-  /// A parameter, which the caller has cleared.
+  /// A parameter, cleared by the caller.
   void take_parameter(const Declarator& declared);
   /// `J`, `J(2, 2)`, `J = Matrix::Zero()`, `J[2][2] = {}`.
   void declare(const Declarator& declared);
@@ -19,7 +19,7 @@ class CppFilledMatrix {
   /// `Eigen::Matrix2d::Zero()` and the like.
   [[nodiscard]] bool is_zero(Tokens value) const;
 
-  /// Whether it is the function's own: it has to be returned.
+  /// Whether it is a local variable of the function, which must then return it.
   [[nodiscard]] bool is_own() const { return own_; }
   [[nodiscard]] closures::Place declared_at() const { return declared_at_; }
 

@@ -50,7 +50,7 @@ bool CppGivenValues::is_several(const Token& name) const {
   return variable != nullptr && variable->type && variable->type->kind != Type::Kind::number;
 }
 
-/// Throws CodeError unless values of that type are so many real numbers.
+/// Throws CodeError unless the type holds `count` real numbers.
 void CppGivenValues::expect_values(const Type& type, std::size_t count) const {
   const bool list = (type.kind == Type::Kind::list && type.rows == count) ||
                     (type.kind == Type::Kind::grid && type.rows && type.columns &&
@@ -116,7 +116,7 @@ void CppGivenValues::give_outputs(const Token& function) {
     const Variable& variable = *scope_.variables().find(output);
     const auto cell = variable.cells.find("");
     if (cell == variable.cells.end() && output[0] == '*') {
-      continue;  // it may be read only
+      continue;  // it is read-only
     }
     if (cell == variable.cells.end()) {
       throw CodeError("'" + output + "' is never assigned", variable.place);

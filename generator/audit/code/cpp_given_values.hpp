@@ -1,23 +1,23 @@
-// The values that a C++ function returns, or sets through its parameters.
+// The values that a C++ function returns, or sets through its output parameters.
 #pragma once
 
 #include "audit/code/cpp_scope.hpp"
 
 namespace assur::generator::audit::code {
 
-/// Reads them from the variables of the scope, which has to live on.
+/// Reads them from the variables of the scope, which must outlive this object.
 class CppGivenValues {
  public:
   explicit CppGivenValues(CppScope& scope) : scope_(scope) {}
 
   /// A parameter through which the function may set a value.
   void add_output(const std::string& name) { outputs_.push_back(name); }
-  /// What the function returns: `{a, b}`, `Pair{a, b}`, `std::make_tuple(a, b)`, a variable, or one
-  /// number. `result` is the type in its head.
+  /// The returned value: `{a, b}`, `Pair{a, b}`, `std::make_tuple(a, b)`, a variable, or one
+  /// number. `result` is the declared return type.
   void give_returned(Tokens value, const Type& result);
-  /// `*x = EXPR` of a parameter, which is not read from then on.
+  /// `*x = EXPR` for a parameter x, which may not be read afterwards.
   void set_pointed(Tokens statement);
-  /// What the function has set through its parameters, in their order.
+  /// The values that the function has set through its parameters, in their order.
   void give_outputs(const Token& function);
 
   [[nodiscard]] const std::vector<Cell>& cells() const { return given_; }

@@ -1,4 +1,4 @@
-// C++ files, functions and statements into entries.
+// Reads C++ files, functions and statements into entries of a matrix.
 #include <algorithm>
 
 #include "audit/code/code_matrix.hpp"
@@ -79,7 +79,7 @@ class CppReader : public CppScope {
     return found;
   }
 
-  /// What stands beside the function, or in a file of statements.
+  /// A declaration outside the function, or a statement of a file of statements.
   void read_item(const CppItem& item, bool is_statement) {
     switch (item.kind) {
       case CppItem::Kind::structure:
@@ -109,7 +109,7 @@ class CppReader : public CppScope {
     }
   }
 
-  /// `void fill(Matrix& J)`: a type, a name that is not the matrix's, and declared parameters.
+  /// `void fill(Matrix& J)`: a type, a name other than the matrix's, and declared parameters.
   [[nodiscard]] bool is_prototype(Tokens statement) {
     Tokens rest = statement;
     if (statement[0].is("using") || statement[0].is("typedef") || !types_.take(rest) ||
@@ -213,11 +213,11 @@ class CppReader : public CppScope {
     Variable& variable =
         variables_.declare(*declared.name, output ? Origin::own : Origin::given, declared.type);
     if (output) {
-      variable.type->reference = false;  // it is what the function gives
+      variable.type->reference = false;  // it is a result of the function
       values_.add_output(declared.name->spelling);
     } else if (gives_values_ && !type->constant && type->pointer && type->kind == Kind::list &&
                type->sort == Sort::real && !declared.type.plain) {
-      Token pointed = *declared.name;  // what it points to may be given as `*name`
+      Token pointed = *declared.name;  // its target may be written as `*name`
       pointed.spelling = "*" + pointed.spelling;
       variables_.declare(pointed, Origin::own, std::nullopt);
       values_.add_output(pointed.spelling);
@@ -236,7 +236,7 @@ class CppReader : public CppScope {
     } else if (statement[0].is("typedef")) {
       types_.read_typedef(statement);
     } else if (statement[0].is("static_assert")) {
-      return;  // the compiler decides it
+      return;  // decided by the compiler
     } else if (statement[0].is("assert") && statement.size() > 1 &&
                is_enclosed(statement.subspan(1), "(")) {
       read_condition(statement.subspan(2, statement.size() - 3));
@@ -275,7 +275,7 @@ class CppReader : public CppScope {
       if (const Token* mention = mention_of(declared, array_); mention != nullptr && grouped) {
         refuse(*mention);
       }
-      throw CodeError("what a pointer or a reference changes cannot be followed" + by_running,
+      throw CodeError("changes through a pointer or a reference cannot be followed" + by_running,
                       statement[0].place);
     }
     for (const Tokens& part : zero_or_parts(declared)) {
@@ -295,7 +295,7 @@ class CppReader : public CppScope {
     }
   }
 
-  /// `J = Eigen::Matrix<double, 2, 2>::Zero()` has commas that separate no variables.
+  /// The commas of `J = Eigen::Matrix<double, 2, 2>::Zero()` do not separate variables.
   [[nodiscard]] std::vector<Tokens> zero_or_parts(Tokens declared) {
     const bool zero =
         declared.size() > 2 && declared[1].is("=") && filling_.is_zero(declared.subspan(2));
@@ -314,7 +314,8 @@ class CppReader : public CppScope {
     const Token* mention = mention_of(value, array_);
     const bool whole = value.size() == 1 && mention != nullptr;
     if (mention != nullptr && !whole) {
-      throw CodeError("what is returned is not " + array_ + " itself" + by_running, mention->place);
+      throw CodeError("the returned value is not " + array_ + " itself" + by_running,
+                      mention->place);
     }
     const bool same = result_.undeclared || (result_.deduced && !result_.is_shared()) ||
                       (result_.kind == Kind::grid && result_.sort == Sort::real &&

@@ -213,7 +213,7 @@ void CppScope::assign(Tokens part, Tokens statement) {
       unknown ? Spelled{known, "", "", "", {}, Sort::real, first.place, 0, false, true}
               : variables_.spelled(part);
   if (target.shared) {
-    throw CodeError("what is set through '" + first.spelling + "' may be " + array_ +
+    throw CodeError("an assignment through '" + first.spelling + "' may change " + array_ +
                         ", or another value" + by_running,
                     first.place);
   }

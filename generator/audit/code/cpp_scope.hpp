@@ -1,4 +1,4 @@
-// The variables of a C++ function, except its matrix, and what its statements set them to.
+// The variables of a C++ function, except its matrix, and the values that its statements assign.
 #pragma once
 
 #include "audit/code/code_entries.hpp"
@@ -20,34 +20,34 @@ class CppScope : public CodeReader {
   [[noreturn]] void refuse_mention(const Token& token, const std::string& where) const;
   /// Throws CodeError for a function that formulas have.
   void read_function_name(const Token& name);
-  /// Comparisons of expressions.
+  /// A comparison of expressions.
   void read_condition(Tokens condition);
-  /// A type, and a name behind it.
+  /// Whether a statement begins with a type and a name.
   [[nodiscard]] bool is_declaration(Tokens statement);
-  /// `name = EXPR`, `name{EXPR}`, `name(EXPR)`, `name`, or a list without values that are read.
+  /// `name = EXPR`, `name{EXPR}`, `name(EXPR)`, `name`, or a list whose values are not read.
   void declare(const Declarator& declared);
-  /// Values of a list are not read, and do no more than give values.
+  /// Checks that the values of a list, which are not read, have no side effects.
   void declare_list(Variable& variable, Tokens value, const Token& name);
   /// The values in nested braces, from left to right.
   [[nodiscard]] std::vector<Cell> leaves_of(Tokens value);
-  /// A value, or that it reads what cannot be read.
+  /// The value of an expression, or an unreadable cell if it reads unreadable variables.
   [[nodiscard]] Cell kept(Tokens value, std::vector<Spelled>* used = nullptr);
-  /// What a variable of that sort keeps of a value.
+  /// The value after conversion to that sort.
   [[nodiscard]] static Cell stored(Cell cell, Sort sort);
-  /// `TARGET = EXPR`; after `TARGET += EXPR` the target cannot be read. Throws CodeError where the
-  /// target may be more than the function's own variable.
+  /// `TARGET = EXPR`; after `TARGET += EXPR` the target is unreadable. Throws CodeError where the
+  /// target may be shared with other variables.
   void assign(Tokens part, Tokens statement);
-  /// Throws CodeError where a value mentions the matrix and not one of its entries.
+  /// Throws CodeError where a value mentions the matrix other than by an entry.
   void check_reading(Tokens value) const;
-  /// How many tokens at the front are an entry of the matrix; zero if they are none.
+  /// The number of tokens at the front that spell an entry of the matrix; zero if none.
   [[nodiscard]] std::size_t entry_length(Tokens tokens) const;
 
  protected:
   const std::string& array_;
-  bool gives_values_ = false;  ///< it is the name of a function
+  bool gives_values_ = false;  ///< the audited name is that of a function
 };
 
-/// Whether the first bracket closes at the end.
+/// Whether the bracket that opens first closes last.
 [[nodiscard]] inline bool is_enclosed(Tokens tokens, const char* open) {
   return !tokens.empty() && tokens[0].is(open) && behind_closing(tokens, 0) == tokens.size();
 }

@@ -16,7 +16,7 @@ Type number(Sort sort) {
   return type;
 }
 
-/// The words that spell a number's type, in the order of the alphabet.
+/// The sort of a type that is spelled by these words, sorted alphabetically.
 std::optional<Sort> sort_of_words(std::vector<std::string> words) {
   static const std::map<std::string, Sort> sorts = {
       {"double", Sort::real},       {"double long", Sort::real},
@@ -44,7 +44,7 @@ std::optional<std::size_t> size_in(Tokens tokens) {
   return are(tokens, {"#"}) ? std::optional<std::size_t>(whole_number(tokens[0])) : std::nullopt;
 }
 
-/// Eigen's names such as `Matrix2d`, `RowVectorXf`: an array with sizes and a sort.
+/// Eigen's names such as `Matrix2d`, `RowVectorXf`: an array with sizes and a sort of number.
 std::optional<Type> eigen_name(const std::string& name) {
   for (const char* begins : {"Matrix", "Vector", "RowVector"}) {
     const std::string start = begins;
@@ -65,7 +65,7 @@ std::optional<Type> eigen_name(const std::string& name) {
   return std::nullopt;
 }
 
-/// The tokens between `<` and the `>` that closes it, at the front, which are taken.
+/// Takes the tokens between `<` and the `>` that closes it from the front.
 std::optional<Tokens> take_arguments(Tokens& tokens) {
   int depth = 0;
   for (std::size_t at = 0; at < tokens.size(); ++at) {
@@ -80,7 +80,7 @@ std::optional<Tokens> take_arguments(Tokens& tokens) {
       return inside;
     }
   }
-  // The `>>` of the list around it closes it, too.
+  // A `>>` that also closes the enclosing list ends it, too.
   const Tokens inside = tokens.subspan(1);
   tokens = tokens.last(0);
   return inside;
@@ -389,7 +389,7 @@ void TypeNames::read_using(Tokens statement) {
     return;
   }
   if (rest.size() < 3 || !rest[0].is_name() || !rest[1].is("=")) {
-    throw CodeError("what this brings in cannot be followed" + by_running, statement[0].place);
+    throw CodeError("the names that this declares cannot be read" + by_running, statement[0].place);
   }
   expect_new_meaning(rest[0]);
   Tokens tokens = rest.subspan(2);

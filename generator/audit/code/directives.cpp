@@ -1,4 +1,4 @@
-// Lines for the preprocessor, which are refused where they may change what the code says.
+// Checks preprocessor lines: those that may change the meaning of the code are refused.
 #include <algorithm>
 #include <set>
 
@@ -8,7 +8,7 @@ namespace assur::generator::audit::code {
 
 namespace {
 
-/// Whether a header is known not to change what the code says.
+/// Whether a header is known not to change the meaning of the code.
 bool is_standard_header(const std::string& name) {
   static const std::set<std::string> known = {"algorithm",
                                               "array",
@@ -65,7 +65,7 @@ bool is_standard_header(const std::string& name) {
   return known.contains(name) || name.starts_with("Eigen/");
 }
 
-/// The words of a directive, without a comment behind them.
+/// The words of a directive, without a trailing comment.
 std::vector<std::string> words_of(const std::string& directive) {
   const std::size_t end = std::min(directive.find("//"), directive.find("/*"));
   std::vector<std::string> words;
@@ -93,7 +93,7 @@ bool includes_known(const std::vector<std::string>& words) {
          is_standard_header(name.substr(1, name.size() - 2));
 }
 
-/// Whether a name is safe as a guard: no compiler predefines it, and the code does not use it.
+/// Whether a name is a safe include guard: not predefined by compilers nor used by the code.
 bool guards(const std::string& name, Tokens tokens) {
   return !name.starts_with("__") &&
          std::none_of(tokens.begin(), tokens.end(), [&](const Token& token) {
@@ -138,7 +138,7 @@ void check_directives(Tokens tokens) {
   for (; from < to; ++from) {
     const std::vector<std::string> line = words(from);
     const std::string& text = all[from]->spelling;
-    // The second lets a compiler declare M_PI.
+    // `_USE_MATH_DEFINES` makes the header declare M_PI.
     if (includes_known(line) || line == std::vector<std::string>{"pragma", "once"} ||
         line == std::vector<std::string>{"define", "_USE_MATH_DEFINES"}) {
       continue;

@@ -1,4 +1,4 @@
-// The values of expressions of C++ and MATLAB.
+// Evaluates expressions of C++ and MATLAB.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,15 +16,15 @@ using text::Expression;
 
 constexpr std::int64_t largest_whole = std::numeric_limits<std::int32_t>::max();
 
-/// How many arguments a function takes that is the one of formulas in that language; zero if it
-/// is not.
+/// The number of arguments of a function that means the same in formulas and in that language; zero
+/// if there is none.
 std::size_t argument_count(const std::string& name, Language language) {
   static const std::set<std::string> one = {"sqrt", "sin", "cos", "tan", "asin", "acos", "atan"};
   const bool two = name == "atan2" || (name == "pow" && language == Language::cpp);
   return one.contains(name) ? 1 : two ? 2 : 0;
 }
 
-/// A part of an expression; `whole` is the value of a whole one.
+/// A part of an expression; `whole` is its value if it is an integer.
 struct Part {
   Expression tree;
   Sort sort = Sort::real;
@@ -91,7 +91,7 @@ class Reader {
     return tree;
   }
 
-  /// Brackets and signs may not be nested without limit.
+  /// Limits how deeply brackets and signs are nested.
   struct Depth {
     explicit Depth(Reader& reader) : of(reader) {
       if (++of.depth_ > 200) {
@@ -122,7 +122,7 @@ class Reader {
     return left;
   }
 
-  /// Signs bind less than powers in front of a power, and more in its exponent.
+  /// A sign before a power binds less than the power; in its exponent, more.
   Part sign() {
     const Depth depth(*this);
     const std::size_t mark = at_;
@@ -272,7 +272,7 @@ class Reader {
       refuse_cast(tokens_[from]);
     }
     if (standard || (called && has_meaning(name.spelling))) {
-      throw CodeError("what '" + name.spelling + "' does cannot be followed" + by_running,
+      throw CodeError("the effect of '" + name.spelling + "' is not known" + by_running,
                       name.place);
     }
     if (at_ + 1 < tokens_.size() && tokens_[at_ + 1].is("<") && is_template_call()) {
@@ -344,8 +344,8 @@ class Reader {
     return part;
   }
 
-  /// Throws CodeError for a number whose value in the language is not the decimal one, and for one
-  /// of so many digits that it was rounded when it was written.
+  /// Throws CodeError for a literal whose value in the language is not the decimal one, or with so
+  /// many digits that it was rounded when written.
   Part number() {
     const Token& token = tokens_[at_];
     std::string text = token.spelling;
@@ -400,7 +400,7 @@ class Reader {
     return part;
   }
 
-  /// A number of type float is the binary one that is nearest to its decimals.
+  /// A number of type float is the binary number nearest to its decimals.
   Part single_number(const Token& token, const std::string& text) {
     const float value = std::strtof(text.c_str(), nullptr);
     int exponent = 0;

@@ -1,4 +1,4 @@
-// Straight-line MATLAB or Octave, statement by statement, into entries.
+// Reads straight-line MATLAB or Octave into entries of a matrix.
 #include <algorithm>
 
 #include "audit/code/code_matrix.hpp"
@@ -32,7 +32,7 @@ class MatlabReader : public CodeReader {
     }
     const Variable* const matrix = variables_.find(array_);
     std::vector<CodeEntry> entries = entries_of(matrix == nullptr ? Variable{} : *matrix, 1);
-    // A script may fill a matrix that existed before, whose size is not known.
+    // A script may fill a matrix that existed before, whose size is unknown.
     if ((is_function_ || cleared_) && (rows_ != audited_.rows || columns_ != audited_.columns)) {
       throw CodeError(array_ + " is " + std::to_string(rows_) + " by " + std::to_string(columns_) +
                           " in the end, and is audited as " + audited_.size_text(),
@@ -51,7 +51,7 @@ class MatlabReader : public CodeReader {
            !joined_.contains(tokens[at - 1].place.line);
   }
 
-  /// A statement ends before a semicolon or comma outside brackets, or with its line.
+  /// A statement ends before a semicolon or comma outside brackets, or at the end of its line.
   [[nodiscard]] std::size_t statement_end(Tokens tokens, std::size_t from) const {
     std::size_t at = from;
     while (at < tokens.size() && !tokens[at].is(";") && !tokens[at].is(",") &&
@@ -63,7 +63,7 @@ class MatlabReader : public CodeReader {
     return at;
   }
 
-  /// `function J = name(r, l)` or `function [x, y] = name(r, l)`, and nothing stands before it.
+  /// `function J = name(r, l)` or `function [x, y] = name(r, l)`, at the beginning of the file.
   void read_head(Tokens head) {
     if (begun_) {
       refuse("a second function or statements before one cannot be followed", head[0]);
@@ -156,7 +156,7 @@ class MatlabReader : public CodeReader {
     const bool grows =
         known != lists_.end() && !target.indices.empty() && target.indices[0] > known->second.first;
     if (target.tokens != at || grows) {
-      refuse("what is set here cannot be followed", statement[0]);
+      refuse("this assignment cannot be read", statement[0]);
     }
     if (list) {
       read_list(target, value);
@@ -199,7 +199,7 @@ class MatlabReader : public CodeReader {
     return matlab_rows(value.subspan(1, value.size() - 2), joined_);
   }
 
-  /// Refuses a mention of the matrix that is not one of its entries.
+  /// Throws CodeError for a mention of the matrix other than one of its entries.
   void expect_entries(Tokens value) const {
     for (std::size_t at = 0; !gives_values_ && at < value.size(); ++at) {
       const Tokens rest = value.subspan(at);
@@ -216,7 +216,7 @@ class MatlabReader : public CodeReader {
     }
     Variable& matrix = variables_.declare(
         name, is_function_ ? Variable::Origin::own : Variable::Origin::free, std::nullopt);
-    matrix.zero = is_function_;  // it grows by zeros
+    matrix.zero = is_function_;  // an assignment beyond its size fills it up with zeros
     return matrix;
   }
 
@@ -246,7 +246,7 @@ class MatlabReader : public CodeReader {
     }
   }
 
-  /// `J = [a, b; c, d]`, where a row may be the name of one.
+  /// `J = [a, b; c, d]`, where a row may be the name of a list.
   void set_all(const Token& name, Tokens value) {
     const std::vector<std::vector<Tokens>> rows = rows_at(value);
     std::vector<std::vector<Cell>> cells;
@@ -306,7 +306,7 @@ class MatlabReader : public CodeReader {
     filled_ = filled_.value_or(at.place);
   }
 
-  /// What `function [x, y] = name(...)` gives: numbers, or the values of one list.
+  /// The results of `function [x, y] = name(...)`: numbers, or the values of one list.
   [[nodiscard]] std::vector<CodeEntry> given_values() {
     std::vector<Cell> cells;
     for (const Token* output : outputs_) {
@@ -330,7 +330,7 @@ class MatlabReader : public CodeReader {
   const std::set<std::size_t>& joined_;
   std::vector<const Token*> outputs_;
   std::map<std::string, std::pair<std::size_t, bool>> lists_;  ///< their sizes, and whether rows
-  bool gives_values_ = false;                                  ///< it is the name of the function
+  bool gives_values_ = false;                                  ///< the name is the function's
   std::size_t rows_ = 0;
   std::size_t columns_ = 0;
   closures::Place sized_{1, 1};  ///< where the size was last set

@@ -1,4 +1,4 @@
-// How MATLAB is read by the tokens of C++: its comments, its lines and its lists.
+// Rewrites MATLAB so that the tokens of C++ apply: comments, line ends and lists.
 #include <algorithm>
 
 #include "audit/code/tokens.hpp"

@@ -72,7 +72,7 @@ class Lexer {
     }
     std::size_t end = at + 1;
     while (end < code_.size() && code_[end] != '\n' && is_space(code_[end])) {
-      ++end;  // compilers pass over spaces behind it
+      ++end;  // compilers ignore white space after it
     }
     return end < code_.size() && code_[end] == '\n' ? end + 1 - at : 0;
   }
@@ -80,7 +80,7 @@ class Lexer {
   bool skip_blank() {
     const std::size_t before = at_;
     if (const std::size_t joined = joint(at_); joined > 0) {
-      // A name or a mark may continue on the next line, and be another one.
+      // A name or an operator that continues on the next line would be another one.
       if (at_ > 0 && !is_space(code_[at_ - 1]) && at_ + joined < code_.size() &&
           !is_space(code_[at_ + joined])) {
         fail("a word that goes on in the next line cannot be read; write it in one line");
@@ -116,7 +116,7 @@ class Lexer {
     return at_ > before;
   }
 
-  /// The end of the line as the preprocessor sees it.
+  /// The end of the line for the preprocessor.
   [[nodiscard]] std::size_t line_end() const {
     std::size_t end = at_;
     while (end < code_.size() && code_[end] != '\n') {

@@ -1,4 +1,4 @@
-// The tokens of C++ and MATLAB with their places, and the error of code that cannot be read.
+// Tokens of C++ and MATLAB with their places, and the error of code that cannot be read.
 #pragma once
 
 #include <set>
@@ -16,7 +16,7 @@ struct CodeError : std::runtime_error {
   closures::Place place;
 };
 
-/// The advice for code that is more than a list of plain assignments.
+/// The advice for code other than plain assignments.
 inline const std::string by_running = "; audit it by running: 'printed run' with --run";
 
 struct Token {
@@ -36,30 +36,30 @@ struct Token {
 
 using Tokens = std::span<const Token>;
 
-/// Comments are left out. Throws CodeError for what a C++ compiler reads in a special way:
-/// digraphs, trigraphs, universal names, and marks or letters that C++ does not have.
+/// The tokens without comments. Throws CodeError for digraphs, trigraphs, universal character
+/// names, and characters that are not part of C++.
 [[nodiscard]] std::vector<Token> code_tokens(const std::string& code);
 
-/// The index behind the bracket that closes the one at `open`. Throws CodeError if none does.
+/// The index after the bracket that closes the one at `open`. Throws CodeError if there is none.
 [[nodiscard]] std::size_t behind_closing(Tokens tokens, std::size_t open);
 /// The parts between the commas that stand outside brackets.
 [[nodiscard]] std::vector<Tokens> comma_parts(Tokens tokens);
 /// The parts of a list of declarations: commas between `<` and `>` are part of a type.
 [[nodiscard]] std::vector<Tokens> declared_parts(Tokens tokens);
-/// At most so many tokens from the front.
+/// At most `count` tokens from the front.
 [[nodiscard]] inline Tokens first_of(Tokens tokens, std::size_t count) {
   return tokens.first(count < tokens.size() ? count : tokens.size());
 }
-/// Whether the tokens are these, one after the other; `#` stands for any whole number.
+/// Whether the tokens are these, one after the other; `#` matches any integer.
 [[nodiscard]] bool are(Tokens tokens, std::initializer_list<const char*> spelled);
-/// The number that a token spells; 999999 for more than six digits, which no index has.
+/// The value of an integer token; 999999 for more than six digits, which no index has.
 [[nodiscard]] std::size_t whole_number(const Token& token);
 
-/// MATLAB with comments and line continuations blanked and `.*` as ` *`, so that every letter keeps
-/// its place and the tokens are those of C++. Throws CodeError.
+/// MATLAB with comments and line continuations blanked and `.*` as ` *`, so that every character
+/// keeps its place and the tokens are those of C++. Throws CodeError.
 struct PlainMatlab {
   std::string text;
-  std::set<std::size_t> joined_lines;  ///< that continue on the next line
+  std::set<std::size_t> joined_lines;  ///< lines that continue on the next one
 };
 [[nodiscard]] PlainMatlab plain_matlab(const std::string& code);
 /// The elements of `[a, b; c d]` without its brackets, row by row.

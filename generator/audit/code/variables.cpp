@@ -10,7 +10,7 @@ using Kind = Type::Kind;
 
 constexpr const char* rounded = "its type does not keep every number as it is; write double";
 
-/// The indices that stand in front of the tokens in one pair of brackets, and their tokens.
+/// Reads the indices in one pair of brackets at the front, and returns their number of tokens.
 std::size_t bracketed(Tokens tokens, bool round, std::vector<std::size_t>& indices) {
   const char* const open = round ? "(" : "[";
   const char* const close = round ? ")" : "]";
@@ -48,7 +48,7 @@ std::string shape_of(const std::string& part) {
   return shape;
 }
 
-/// Whether two shapes may belong to one variable: both end here, or both go on with members.
+/// Whether two shapes may belong to one variable: both end here, or both continue with members.
 bool agree(const std::string& one, const std::string& other) {
   std::size_t same = 0;
   while (same < one.size() && same < other.size() && one[same] == other[same]) {
@@ -61,7 +61,7 @@ bool agree(const std::string& one, const std::string& other) {
   const auto begins_part = [&](const std::string& shape) {
     return ends(shape) || shape[same] == '.' || shape[same] == '[';
   };
-  // A part that differs in the middle of a member's name is another member.
+  // Parts that differ within the name of a member are different members.
   return !(begins_part(one) && begins_part(other));
 }
 
@@ -117,7 +117,7 @@ void Variables::take_inferred(Tokens rest, Spelled& number) const {
           !number.indices.empty() && (round || number.round || number.indices.size() > 1);
       if (taken == 0 || more) {
         if (round) {
-          throw CodeError("what '" + number.text() + "' does cannot be followed" + by_running,
+          throw CodeError("the effect of '" + number.text() + "' is not known" + by_running,
                           number.place);
         }
         throw CodeError("'[' cannot be read inside an expression" + by_running, rest[0].place);
@@ -202,7 +202,7 @@ void Variables::take_parts(Tokens rest, Spelled& number) const {
   }
   number.sort = type->sort;
   if (!rest.empty() && rest[0].is("(")) {
-    throw CodeError("what '" + number.text() + "' does cannot be followed" + by_running,
+    throw CodeError("the effect of '" + number.text() + "' is not known" + by_running,
                     number.place);
   }
 }
@@ -231,8 +231,7 @@ void Variables::expect_one_shape(Spelled& number) {
 Spelled Variables::spelled(Tokens tokens) {
   const Token& name = tokens[0];
   if (functions_.contains(name.spelling)) {
-    throw CodeError("what '" + name.spelling + "' does cannot be followed" + by_running,
-                    name.place);
+    throw CodeError("the effect of '" + name.spelling + "' is not known" + by_running, name.place);
   }
   if (has_meaning(name.spelling) && find(name.spelling) == nullptr) {
     throw CodeError("'" + name.spelling + "' cannot be read here" + by_running, name.place);
@@ -242,7 +241,7 @@ Spelled Variables::spelled(Tokens tokens) {
         "'" + name.spelling + "' is neither given to this function nor set in it" + by_running,
         name.place);
   }
-  // A name that nothing declares is looked at before it is kept, since it may be a call.
+  // An undeclared name is checked before it is stored, since it may be a call.
   Variable unknown{Variable::Origin::free, name.place};
   Variable* const known = find(name.spelling);
   Spelled number{known == nullptr ? &unknown : known,
@@ -261,8 +260,7 @@ Spelled Variables::spelled(Tokens tokens) {
   const bool set = tokens.size() > number.tokens && tokens[number.tokens].spelling.ends_with('=');
   if (known == nullptr && language_ == Language::cpp && number.round && (in_function_ || !set) &&
       !system_.is_known(number.formula)) {
-    throw CodeError("what '" + name.spelling + "' does cannot be followed" + by_running,
-                    name.place);
+    throw CodeError("the effect of '" + name.spelling + "' is not known" + by_running, name.place);
   }
   number.variable = &found(name);
   if (!number.variable->type) {

@@ -1,4 +1,4 @@
-// Pairs of a position and its derivative, by values where they can be computed, else by names.
+// Pairs each position of a program with its derivatives, by values if possible, else by names.
 #include <algorithm>
 #include <regex>
 
@@ -8,7 +8,7 @@ namespace assur::generator::audit::init {
 
 namespace {
 
-/// Whether a name is that of a derivative, by what programs usually call one.
+/// Whether a name is one that programs usually give to a derivative.
 bool is_named_derivative(const std::string& name, const std::string& of = "") {
   constexpr std::size_t longest = 100;
   static const std::regex usual(
@@ -87,8 +87,8 @@ class PairFinder {
     return follows || may_be_guessed(pair) ? std::optional(pair) : std::nullopt;
   }
 
-  /// Whether a pair may be one although no number says so: a slip may be in all of them, or they
-  /// cannot be computed here. The names decide then.
+  /// Whether names may decide a pair that values do not confirm: all entries may have slips, or
+  /// cannot be computed here.
   [[nodiscard]] bool may_be_guessed(const DerivativePair& pair) const {
     if (is_named_derivative(quantities_.label(pair.position))) {
       return false;
@@ -98,7 +98,7 @@ class PairFinder {
            !is_computable(quantities_.function(pair.derived), quantities_.given(pair.derived));
   }
 
-  /// The columns that cannot be computed, by their number alone. Those that can be must agree.
+  /// Columns that cannot be computed, matched by their number. Those that can be must agree.
   [[nodiscard]] std::optional<DerivativePair> guessed_columns(DerivativePair pair) const {
     const std::size_t columns = quantities_.given(pair.derived).columns;
     const std::vector<std::string> guess =

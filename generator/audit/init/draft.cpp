@@ -16,7 +16,7 @@ std::string draft_of(const std::string& file, const std::string& named) {
   const std::optional<Language> language = language_of_file(file);
   if (!language) {
     throw text::InputError(file +
-                           ": its language cannot be told; --init reads .cpp, .cc, .cxx, .hpp, .h, "
+                           ": its language is not known; --init reads .cpp, .cc, .cxx, .hpp, .h, "
                            ".c, .m, .py, .js, .mjs, .cjs and .tex");
   }
   return program_draft(text::read_input_file(file), *language, file, named);

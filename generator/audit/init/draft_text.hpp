@@ -1,4 +1,4 @@
-// The texts of drafts: of the audit file of a program, of the map of a paper, and of their lines.
+// Texts of drafts: the audit file of a program, the map of a paper, and single lines.
 #pragma once
 
 #include "audit/init/program_words.hpp"
@@ -14,10 +14,10 @@ namespace assur::generator::audit::init {
 /// symbol.
 [[nodiscard]] std::string paper_draft(const std::string& paper, const std::string& file);
 
-/// What a line begins with that the user is to replace.
+/// The beginning of a line that the user is to replace.
 inline const std::string fill_mark = "# fill in: ";
 
-/// A line of its own, with the line end.
+/// The text as a line, with the line end.
 [[nodiscard]] inline std::string line(const std::string& text) { return text + "\n"; }
 [[nodiscard]] inline std::string marked(const std::string& text) { return line(fill_mark + text); }
 

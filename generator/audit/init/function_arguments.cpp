@@ -15,7 +15,7 @@ void name_elements(Argument& list, Language language) {
 }
 
 std::optional<Argument> declared_argument(Words words, Language language) {
-  words = words.subspan(0, find_mark(words, "="));  // a default
+  words = words.subspan(0, find_mark(words, "="));  // a default value
   Argument argument;
   if (is_c_or_cpp(language)) {
     std::size_t name = words.size();

@@ -125,7 +125,7 @@ class AssignmentReader {
           return number_of(index[0]) < first_index(language_);
         });
     if (at != target.size() || !are_numbers || too_low || indices.empty() || indices.size() > 2) {
-      return true;  // an element, but it cannot be told which
+      return true;  // an element, but its indices are unknown
     }
     const std::size_t row = number_of(indices[0][0]) - first_index(language_);
     const std::size_t column =
@@ -167,7 +167,7 @@ class AssignmentReader {
     }
   }
 
-  /// `q[1]` or `q.name`, which a variable stands for that takes it out of `q`.
+  /// `q[1]` or `q.name`, the meaning of a variable that is unpacked from `q`.
   Words part_words(const std::string& whole, std::size_t at, bool by_name,
                    const std::string& name) {
     const auto mark = [](const char* text) { return Word{Word::Kind::mark, text}; };

@@ -1,4 +1,4 @@
-// What the statements of a function assign, and the matrices' sizes that its types say.
+// The assignments of a function's statements, and the sizes of matrices by their types.
 #pragma once
 
 #include <map>
@@ -9,11 +9,11 @@
 
 namespace assur::generator::audit::init {
 
-/// More entries than this are of no Jacobian that anybody audits.
+/// A matrix with more entries is not a Jacobian that anybody audits.
 inline constexpr std::size_t most_entries = 100;
-/// How often one variable may stand for another.
+/// The longest chain of variables that stand for each other.
 inline constexpr int most_hops = 20;
-/// Types and names of functions that are longer are none that are known here.
+/// Longer types and names of functions are not among the known ones.
 inline constexpr std::size_t longest_type = 200;
 
 struct MatrixSize {
@@ -21,16 +21,16 @@ struct MatrixSize {
   std::size_t columns = 0;
 };
 
-/// The size that a type of C++ says.
+/// The size that a C++ type states.
 [[nodiscard]] std::optional<MatrixSize> size_of_type(const std::string& type);
 
-/// By the names of the variables.
+/// Assignments by the names of the variables.
 struct Assignments {
   std::map<std::string, Words> first_values;
   std::map<std::string, Words> last_values;
   std::map<std::string, std::map<std::pair<std::size_t, std::size_t>, Words>> elements;  ///< from 0
   std::map<std::string, Words> streamed;      ///< `a, b` of `A << a, b`
-  std::map<std::string, std::string> types;   ///< as they are declared
+  std::map<std::string, std::string> types;   ///< as declared
   std::map<std::string, MatrixSize> lengths;  ///< `[2][2]` of `double A[2][2]`
   /// Arguments, and the variables that take their elements in order, or their members by name.
   std::map<std::string, std::vector<std::string>> unpacked;
@@ -38,8 +38,8 @@ struct Assignments {
   Words returned;
 };
 
-/// What the variables of a statement `x, y = q` stand for, with an argument `q`, becomes more
-/// words.
+/// A statement `x, y = q` with an argument `q` gives its variables meanings; their words are added
+/// to `more_words`.
 [[nodiscard]] Assignments assignments_of(const Source& source, Language language,
                                          const std::vector<std::string>& arguments,
                                          std::vector<std::vector<Word>>& more_words);

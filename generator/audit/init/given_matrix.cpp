@@ -7,7 +7,7 @@ namespace assur::generator::audit::init {
 
 namespace {
 
-/// The variables that are entries give them names.
+/// Names the entries by the variables that they consist of.
 void name_entries(Given& given) {
   given.names.clear();
   for (const Words& entry : given.entries) {
@@ -121,7 +121,7 @@ std::optional<Given> MatrixReader::value(Words words, int hops) const {
   return Given{"", 1, 1, {words}, {}, {}};
 }
 
-/// A list that is multiplied or added: its size is known, its entries are not.
+/// A list within a product or a sum: its size is known, its entries are not.
 std::optional<Given> MatrixReader::list_within(Words words) const {
   for (std::size_t at = 0; at < words.size(); ++at) {
     const bool begins =

@@ -1,22 +1,22 @@
-// The sizes and entries of the matrices and columns that a function gives.
+// Sizes and entries of the matrices and columns that a function returns.
 #pragma once
 
 #include "audit/init/function_arguments.hpp"
 
 namespace assur::generator::audit::init {
 
-/// What a function gives: a column, or a matrix.
+/// A result of a function: a column, or a matrix.
 struct Given {
   std::string name;  ///< of the variable that holds it; empty if it has none
   std::size_t rows = 0;
   std::size_t columns = 0;
-  std::vector<Words> entries;      ///< row by row; empty where they cannot be told
-  std::vector<std::string> names;  ///< of the variables that are its entries; may be empty
-  std::vector<std::string> by;     ///< what a matrix of `jacobian([...])` is differentiated by
+  std::vector<Words> entries;      ///< row by row; empty if unknown
+  std::vector<std::string> names;  ///< variables that are its entries; may be empty
+  std::vector<std::string> by;     ///< the symbols x of a matrix `f.jacobian(x)`
 };
 
-/// Reads the matrices that variables and expressions of one function are. What is given has to
-/// live on.
+/// Reads variables and expressions of one function as matrices. The arguments of the constructor
+/// must outlive it.
 class MatrixReader {
  public:
   MatrixReader(Language language, const std::vector<Argument>& arguments,
@@ -24,8 +24,8 @@ class MatrixReader {
       : language_(language), arguments_(arguments), set_(assignments) {}
 
   [[nodiscard]] std::optional<Given> variable(const std::string& name, int hops = 0) const;
-  /// What an expression is, as far as that can be told: lists are matrices or columns, and what
-  /// has no brackets around it is a number.
+  /// The value of an expression as far as it can be read: lists are matrices or columns, and
+  /// anything without brackets around it is a number.
   [[nodiscard]] std::optional<Given> value(Words words, int hops = 0) const;
   /// `P.jacobian([a, b])`
   [[nodiscard]] std::optional<Given> jacobian(Words words) const;
@@ -40,7 +40,7 @@ class MatrixReader {
   const Assignments& set_;
 };
 
-/// Where a size is known, a matrix of that size, without entries if it has others.
+/// Where the size is known, a matrix of that size; without entries if their number differs.
 [[nodiscard]] std::optional<Given> with_size(std::optional<Given> given,
                                              std::optional<MatrixSize> size);
 

@@ -1,4 +1,4 @@
-// The draft of the map of a paper's notation.
+// Drafts the map of a paper's notation.
 #include <algorithm>
 #include <assur/text/error.hpp>
 #include <assur/text/expression.hpp>
@@ -94,11 +94,11 @@ class PaperDraft {
     try {
       return latex::read_matrix(side).has_value();
     } catch (const latex::FormulaError&) {
-      return false;  // the audit says what is wrong with it
+      return false;  // the audit reports its error
     }
   }
 
-  /// Adds the symbols; those behind a sine or cosine are angles.
+  /// Adds the symbols; those after a sine or cosine are angles.
   void read_symbols(const Tokens& tokens, bool are_angles) {
     for (std::size_t at = 0; at < tokens.size();) {
       if (tokens[at].is("\\begin") || tokens[at].is("\\end") || tokens[at].is("\\operatorname")) {
@@ -119,7 +119,7 @@ class PaperDraft {
     }
   }
 
-  /// Reads what a function is applied to, a bracket or a product of symbols; returns its end.
+  /// Reads the argument of a function, a bracket or a product of symbols; returns its end.
   std::size_t read_argument(const Tokens& tokens, std::size_t at) {
     if (at < tokens.size() && tokens[at].is("^")) {
       at = latex::end_of_argument(tokens, at + 1);
@@ -149,12 +149,12 @@ class PaperDraft {
     try {
       return latex::read_atom(tokens, at);
     } catch (const latex::FormulaError&) {
-      return std::nullopt;  // the audit says what is wrong with it
+      return std::nullopt;  // the audit reports its error
     }
   }
 
   void add(const latex::Atom& atom, bool is_angle) {
-    // `d`, `t` and `T` are signs of derivatives and of transposed matrices.
+    // `d`, `t` and `T` denote derivatives and transposed matrices.
     static const std::set<std::string> signs = {"d", "t", "T"};
     // `f_1` is the name of a closure in most papers.
     if (signs.contains(atom.name) || atom.name.starts_with("f_") ||

@@ -1,4 +1,4 @@
-// The draft of a program's audit file: its names and its statements.
+// Drafts a program's audit file: its names and its statements.
 #include <algorithm>
 #include <assur/text/error.hpp>
 #include <assur/text/expression.hpp>
@@ -13,13 +13,13 @@ namespace assur::generator::audit::init {
 
 namespace {
 
-/// Names that formulas or the rows of a run have for themselves.
+/// Names that are reserved in formulas or in the rows of a run.
 bool is_taken_by_formulas(const std::string& name) {
   static const std::set<std::string> more = {"rate", "rate2", "pow", "result", "i", "j"};
   return text::is_reserved_name(name) || more.contains(name);
 }
 
-/// How many variables are followed to see whether one is an angle.
+/// The largest number of variables that are followed to see whether one is an angle.
 constexpr std::size_t most_followed = 100;
 
 class DraftWriter {
@@ -224,7 +224,7 @@ class DraftWriter {
         }
         knows_unknowns_ = false;
       } else {
-        runs_ += line("# a guess: what the columns are derivatives by");
+        runs_ += line("# a guess: the variables of the columns");
         for (const std::string& name : columns) {
           if (what.rows == what.columns &&
               std::find(unknowns_.begin(), unknowns_.end(), name) == unknowns_.end()) {

@@ -25,7 +25,7 @@ class AngleFinder {
   }
 
  private:
-  /// Sums of symbols and of their whole multiples are angles.
+  /// Symbols in sums with whole multiples are angles.
   void add_angles(Words words, int hops) {
     for (std::size_t at = 0; at < words.size(); ++at) {
       if (is_one_of(words[at], {"(", "["})) {
@@ -60,7 +60,7 @@ class AngleFinder {
   std::set<std::string> followed_;  ///< variables whose angles are found
 };
 
-/// The matrices that are known of a function.
+/// The known matrices of a function.
 class GivenList {
  public:
   void add(std::optional<Given> given) {
@@ -75,7 +75,7 @@ class GivenList {
     list_.push_back(std::move(*given));
   }
 
-  /// Several numbers are one column.
+  /// Gathers several numbers into one column.
   void gather_numbers() {
     const bool are_numbers = std::all_of(list_.begin(), list_.end(), [](const Given& each) {
       return each.rows * each.columns == 1 && each.entries.size() == 1;
@@ -190,7 +190,7 @@ ProgramFunction function_of_module(const Source& source, const std::vector<std::
   return function;
 }
 
-/// What a module of SymPy gives at its top level: matrices of its symbols.
+/// The matrices at the top level of a SymPy module, in its symbols.
 ProgramFunction module_of_symbols(Words words) {
   Source source;
   std::vector<std::string> symbols;

@@ -1,4 +1,4 @@
-// The functions of a program: what they take, and the positions or matrices that they give.
+// The functions of a program: their arguments, and the positions or matrices that they return.
 #pragma once
 
 #include "audit/init/given_matrix.hpp"
@@ -8,26 +8,25 @@ namespace assur::generator::audit::init {
 struct ProgramFunction {
   std::string name;
   std::vector<Argument> arguments;
-  std::vector<Given> given;             ///< several where it returns several matrices or columns
-  std::map<std::string, Words> locals;  ///< variables and what they are set to
-  std::string space;                    ///< the namespace of C++ around it
+  std::vector<Given> given;             ///< several if it returns several matrices or columns
+  std::map<std::string, Words> locals;  ///< variables and their assigned words
+  std::string space;                    ///< the enclosing namespace of C++
   std::set<std::string> angles;         ///< symbols whose sine or cosine it takes
 
   [[nodiscard]] std::vector<std::string> symbols() const;
 };
 
 struct ProgramOutline {
-  std::vector<ProgramFunction> functions;  ///< those that rows of an audit file may call
+  std::vector<ProgramFunction> functions;  ///< the functions that rows of an audit file may call
   bool has_numpy = false;                  ///< imported as `np`
   bool of_symbols = false;                 ///< the one function is a module of SymPy
-  std::vector<Word> words;                 ///< that all else points to
+  std::vector<Word> words;                 ///< storage of the words that everything else refers to
   std::vector<std::vector<Word>> more_words;
 };
 
 [[nodiscard]] ProgramOutline program_outline(const std::string& code, Language language);
 
-/// `a`, `p.r`, `q[0]` or `q(1)` at a place as the name of a symbol, `p_r`, `q_0`, and where it
-/// ends.
+/// `a`, `p.r`, `q[0]` or `q(1)` at a place as the name of a symbol, `p_r`, `q_0`, and its end.
 struct SymbolAt {
   std::string name;
   std::size_t end;

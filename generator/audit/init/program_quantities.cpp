@@ -9,12 +9,12 @@ namespace assur::generator::audit::init {
 
 namespace {
 
-/// More than these are more than one draft can be about.
+/// More quantities than this do not fit one draft.
 constexpr std::size_t most_quantities = 60;
 constexpr std::size_t most_words = 200'000;
 constexpr std::size_t most_nested = 200;
 
-/// Throws InputError for a program that takes too long to read.
+/// Throws InputError for a program that would take too long to read.
 void expect_readable(Words words, const std::string& file) {
   std::size_t depth = 0;
   std::size_t deepest = 0;
@@ -31,7 +31,7 @@ void expect_readable(Words words, const std::string& file) {
   }
 }
 
-/// Whether it gives something, takes symbols, and formulas can have all of their names.
+/// Whether it has results and symbols, all with names that formulas can have.
 bool can_be_audited(const ProgramFunction& function) {
   return !function.given.empty() && !function.symbols().empty() &&
          std::all_of(function.arguments.begin(), function.arguments.end(),

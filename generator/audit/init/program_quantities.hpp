@@ -1,12 +1,11 @@
-// The positions, rates and matrices that the functions of a program give, their values, and which
-// of them are derivatives of which.
+// Positions, rates and matrices that a program computes, and which are derivatives of which.
 #pragma once
 
 #include "audit/init/program_outline.hpp"
 
 namespace assur::generator::audit::init {
 
-/// One thing that a function gives, by its index there.
+/// A result of a function, by its index there.
 struct Quantity {
   std::size_t function;
   std::size_t given;
@@ -14,8 +13,8 @@ struct Quantity {
 
 class ProgramQuantities {
  public:
-  /// Throws InputError for a program that takes too long to read or gives too much. `file` is what
-  /// messages call it.
+  /// Throws InputError for a program that would take too long to read or has too many results.
+  /// `file` is its name in messages.
   ProgramQuantities(const std::string& code, Language language, const std::string& file);
 
   [[nodiscard]] const ProgramOutline& outline() const { return outline_; }
@@ -26,17 +25,17 @@ class ProgramQuantities {
   [[nodiscard]] const Given& given(const Quantity& quantity) const {
     return function(quantity).given[quantity.given];
   }
-  /// What the rows of an audit file call it.
+  /// The label of a quantity in the rows of an audit file.
   [[nodiscard]] std::string label(const Quantity& quantity) const;
 
   /// Whether some function takes the sine or cosine of the symbol.
   [[nodiscard]] bool is_angle(const std::string& symbol) const { return angles_.contains(symbol); }
   /// The angles among the symbols of a function.
   [[nodiscard]] std::vector<std::string> angles_of(const ProgramFunction& function) const;
-  /// The angles or the elements of a list, whichever are as many as the columns.
+  /// The angles or the elements of a list, whichever have the number of the columns.
   [[nodiscard]] std::vector<std::string> columns_by_count(const ProgramFunction& function,
                                                           std::size_t columns) const;
-  /// The symbols of the derivative that the position does not take.
+  /// The symbols of the derivative that the position does not have.
   [[nodiscard]] std::vector<std::string> more_symbols(const Quantity& position,
                                                       const Quantity& derived) const;
   /// Whether a function of the program calls the one of that name.
@@ -54,31 +53,31 @@ struct DerivativePair {
   Quantity position;
   Quantity derived;
   std::vector<std::string> by;      ///< parameters; empty for rates
-  std::vector<std::string> moving;  ///< whose rates the derivative takes
+  std::vector<std::string> moving;  ///< symbols whose rates the derivative takes
   int order = 1;                    ///< of the rate
-  bool guessed = false;             ///< from numbers of names alone
+  bool guessed = false;             ///< from numbers of columns or names only
 };
 
-/// By the values that the functions compute; where these say nothing, by names and numbers of
+/// By the values that the functions compute; where these do not decide, by names and numbers of
 /// columns.
 [[nodiscard]] std::vector<DerivativePair> derivative_pairs(const ProgramQuantities& quantities);
 
-/// What no pair has, and no other function of the file calls: its closures are not in the file.
+/// Quantities without a pair that no other function of the file uses: their closures are elsewhere.
 [[nodiscard]] std::vector<Quantity> without_pair(const ProgramQuantities& quantities,
                                                  const std::vector<DerivativePair>& pairs);
 
-/// Whether an entry can be computed at all.
+/// Whether an entry can be computed.
 [[nodiscard]] bool is_computable(const ProgramFunction& function, const Given& given);
 
-/// The symbols that the columns of a matrix are derivatives of the position by, as far as most of
-/// the entries say so; empty where a column is none.
+/// The symbols by which the columns of a matrix are derivatives of the position, as far as most of
+/// the entries confirm it; empty for a column that is not one.
 [[nodiscard]] std::vector<std::string> derived_by(const ProgramFunction& of, const Given& position,
                                                   const ProgramFunction& derived,
                                                   const Given& matrix);
 
-/// Whether half of the numbers that a function gives are, up to their signs, the first or second
-/// derivatives of the position by the time, where `rates` are its parameters for the rates of the
-/// moving symbols and then for their second rates.
+/// Whether half of the numbers of a result are, up to sign, the first or second time derivatives of
+/// the position, where `rates` are the parameters for the rates of the moving symbols and then for
+/// their second rates.
 [[nodiscard]] bool follows_rates(const ProgramFunction& of, const Given& position,
                                  const ProgramFunction& derived, const Given& column,
                                  const std::vector<std::string>& moving,

@@ -6,7 +6,7 @@ namespace assur::generator::audit::init {
 
 namespace {
 
-/// The functions of a file.
+/// Reads the functions of a file.
 class SourceReader {
  public:
   SourceReader(Words words, Language language) : words_(words), language_(language) {}
@@ -22,7 +22,7 @@ class SourceReader {
     return std::move(sources_);
   }
   std::map<std::string, std::vector<std::string>> records;  ///< types and their members
-  std::vector<std::vector<Word>> more_words;                ///< that are not in the file
+  std::vector<std::vector<Word>> more_words;                ///< words that are not in the file
 
  private:
   [[nodiscard]] std::size_t end_of_line(std::size_t at) const {
@@ -32,7 +32,7 @@ class SourceReader {
     return at;
   }
 
-  /// Adds what stands between line ends and semicolons; in MATLAB commas, too.
+  /// Adds the statements between line ends and semicolons; in MATLAB also between commas.
   void add_lines(Words body, Source& source) const {
     std::size_t from = 0;
     const auto add = [&](std::size_t to) {
@@ -74,7 +74,7 @@ class SourceReader {
     }
   }
 
-  /// Rows of an audit file can call the first function of a file alone.
+  /// Reads the first function of a file; rows of an audit file cannot call others.
   void read_matlab() {
     std::size_t at = 0;
     while (at < words_.size() && !words_[at].is("function")) {
@@ -128,7 +128,7 @@ class SourceReader {
         if (!add_function(statement, inside(words_, at))) {
           add_record(statement, inside(words_, at));
           at = end - 1;
-          continue;  // `const x = {...};` goes on
+          continue;  // `const x = {...};` continues
         }
         at = end - 1;
         begin = end;
@@ -169,7 +169,7 @@ class SourceReader {
       source.head = statement.subspan(0, open - 1);
     }
     source.parameters = inside(statement, open);
-    // Members are defined with the name of their type in front.
+    // Member functions are defined with the name of their type before theirs.
     if (open > 1 && statement[open - 2].is("::")) {
       source.name.clear();
     }
@@ -214,7 +214,7 @@ class SourceReader {
     std::vector<std::string> members;
     for (const Words& line : parts(body, ";")) {
       if (find_mark(line, "(") < line.size()) {
-        return;  // a type with functions is not made by listing its members
+        return;  // a type with functions is not constructed from a list of members
       }
       for (const Words& each : parts(line, ",")) {
         const Words declared = each.subspan(0, find_mark(each, "="));

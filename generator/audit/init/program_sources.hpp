@@ -1,4 +1,4 @@
-// Turns the words of a program into its functions as they stand there: heads and statements.
+// The functions of a program as written: heads and statements.
 #pragma once
 
 #include <map>
@@ -11,19 +11,19 @@ namespace assur::generator::audit::init {
 struct Source {
   std::string name;
   std::string space;  ///< the namespace around it
-  Words head;         ///< before the name: the type of what it returns
+  Words head;         ///< the tokens before the name: the return type
   Words parameters;
-  std::vector<std::string> outputs;  ///< of MATLAB
+  std::vector<std::string> outputs;  ///< for MATLAB
   std::vector<Words> statements;
 };
 
 struct ProgramSources {
   std::vector<Source> functions;
   std::map<std::string, std::vector<std::string>> records;  ///< types of C++ and C, their members
-  std::vector<std::vector<Word>> more_words;                ///< that are not in the file
+  std::vector<std::vector<Word>> more_words;                ///< words that are not in the file
 };
 
-/// The functions that rows of an audit file may call. The words have to live on.
+/// The functions that rows of an audit file may call. The words must outlive the result.
 [[nodiscard]] ProgramSources program_sources(Words words, Language language);
 
 }  // namespace assur::generator::audit::init

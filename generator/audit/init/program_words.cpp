@@ -251,7 +251,7 @@ std::vector<Words> parts(Words words, const char* separator) {
       from = at + 1;
     }
   }
-  if (from < words.size()) {  // a comma behind the last entry ends the list
+  if (from < words.size()) {  // a comma after the last entry ends the list
     list.push_back(words.subspan(from));
   }
   return list;

@@ -1,4 +1,4 @@
-// The words of a program, in any of the languages that audits run, without its comments.
+// The words of a program in any language that audits run, without comments.
 #pragma once
 
 #include <initializer_list>
@@ -11,12 +11,12 @@ namespace assur::generator::audit::init {
 
 enum class Language : unsigned char { cpp, c, javascript, python, matlab };
 
-/// By the ending of the file's name; nothing for a language that audits do not run.
+/// By the ending of the file's name; empty for a language that audits do not run.
 [[nodiscard]] std::optional<Language> language_of_file(const std::string& file);
 [[nodiscard]] inline bool is_c_or_cpp(Language language) {
   return language == Language::c || language == Language::cpp;
 }
-/// Of a list.
+/// The first index of a list.
 [[nodiscard]] inline std::size_t first_index(Language language) {
   return language == Language::matlab ? 1 : 0;
 }
@@ -28,7 +28,7 @@ struct Word {
   Kind kind;
   std::string text;
   std::size_t indent = 0;  ///< of its line
-  bool spaced = false;     ///< white space stands before it
+  bool spaced = false;     ///< white space precedes it
 
   [[nodiscard]] bool is(const char* other) const { return kind != Kind::text && text == other; }
   [[nodiscard]] bool is_name() const { return kind == Kind::name; }
@@ -37,13 +37,13 @@ struct Word {
 
 using Words = std::span<const Word>;
 
-/// Line ends inside the brackets of Python are left out; those inside the brackets of MATLAB are
-/// semicolons, and blanks between entries commas. What cannot be read is left out.
+/// Line ends inside the brackets of Python are left out; inside those of MATLAB they are
+/// semicolons, and blanks between entries are commas. Characters that cannot be read are left out.
 [[nodiscard]] std::vector<Word> program_words(const std::string& code, Language language);
 
-/// The index behind the bracket that closes the one at `open`, or the end.
+/// The index after the bracket that closes the one at `open`, or the end.
 [[nodiscard]] std::size_t behind_bracket(Words words, std::size_t open);
-/// The parts between the separators outside brackets; none of an empty list.
+/// The parts between the separators outside brackets; an empty list has none.
 [[nodiscard]] std::vector<Words> parts(Words words, const char* separator);
 /// The words one after the other, with a blank between two names.
 [[nodiscard]] std::string spelled(Words words);
@@ -54,9 +54,9 @@ using Words = std::span<const Word>;
 [[nodiscard]] bool is_one_of(const Word& word, std::initializer_list<const char*> list);
 /// The first of these marks outside brackets, or the end.
 [[nodiscard]] std::size_t find_mark(Words words, const char* mark);
-/// What stands in the bracket that opens at a place.
+/// The words inside the bracket that opens at a place.
 [[nodiscard]] Words inside(Words words, std::size_t open);
-/// Whether one bracket holds all of the words.
+/// Whether one bracket encloses all of the words.
 [[nodiscard]] bool is_whole_bracket(Words words);
 
 }  // namespace assur::generator::audit::init

@@ -1,4 +1,4 @@
-// What straight-line functions compute. It decides only what is proposed; the audit judges.
+// Values of straight-line functions at points, on which drafts base their proposals.
 #include <algorithm>
 #include <assur/text/expression.hpp>
 #include <cmath>
@@ -56,7 +56,7 @@ class Values {
   Values(const ProgramFunction& function, const Point& point)
       : function_(function), point_(point) {}
 
-  /// Throws ExpressionError for what is no formula of known variables.
+  /// Throws ExpressionError unless the words are a formula in known variables.
   double of(Words words) {
     const std::string text = formula_text(words);
     if (text.size() > longest_formula || ++hops_ > most_variables) {
@@ -83,7 +83,7 @@ class Values {
     return value;
   }
 
-  /// What is no variable of the function is a constant of the file: a number of its own.
+  /// A name that is not a variable of the function is a constant of the file: a number of its own.
   [[nodiscard]] double constant(const std::string& name) const {
     const std::string whole = name.substr(0, name.find('_', 1));
     if (function_.locals.contains(whole) || function_.locals.contains(name)) {
@@ -126,7 +126,7 @@ Point point_number(int number, const ProgramFunction& one, const ProgramFunction
   return point;
 }
 
-/// Whether an entry is, up to its sign, the derivative of a component by a symbol.
+/// Whether an entry is, up to its sign, the derivative of a component with respect to a symbol.
 bool is_derivative(const ProgramFunction& of, Words component, const ProgramFunction& derived,
                    Words entry, const std::string& by, bool& is_zero) {
   is_zero = true;
@@ -179,7 +179,7 @@ std::vector<std::string> derived_by(const ProgramFunction& of, const Given& posi
           score += is_zero ? 1 : 2 * matrix.rows;
         }
       }
-      // Zeros alone say nothing.
+      // Zeros alone prove nothing.
       if (score > best && score >= 2 * matrix.rows && !taken.contains(symbol)) {
         best = score;
         columns[column] = symbol;

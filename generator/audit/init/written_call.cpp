@@ -76,7 +76,7 @@ class CallWriter {
   std::string text_of(const Argument& argument) {
     const std::vector<std::string> names = names_of(argument);
     if (names.empty()) {
-      return "0";  // it is not used
+      return "0";  // unused
     }
     if (argument.kind == Argument::Kind::number) {
       return names[0];
@@ -175,7 +175,7 @@ class CallWriter {
     return name;
   }
 
-  /// Octave has an expression for the first result alone.
+  /// Octave has an expression only for the first result.
   void write_outputs(const std::string& call) {
     std::vector<std::string> names;
     for (const Given& each : function_.given) {
@@ -197,7 +197,7 @@ class CallWriter {
                         : names;
   }
 
-  /// The symbols of a module of SymPy take their values by name, whatever is assumed of them.
+  /// The symbols of a SymPy module take their values by name, whatever their assumptions.
   void write_substitution() {
     std::vector<std::string> pairs;
     for (const Argument& argument : function_.arguments) {

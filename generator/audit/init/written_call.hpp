@@ -1,4 +1,4 @@
-// Turns a function and the names of symbols into the rows of an audit file that call it.
+// The rows of an audit file that call a function.
 #pragma once
 
 #include <functional>
@@ -7,14 +7,14 @@
 
 namespace assur::generator::audit::init {
 
-/// How a function is called, and what its results are called then.
+/// The call of a function, and the expressions of its results.
 struct WrittenCall {
-  std::vector<std::string> before;   ///< statements in front of the result
-  std::vector<std::string> results;  ///< an expression for each of what it gives
+  std::vector<std::string> before;   ///< statements before the result
+  std::vector<std::string> results;  ///< an expression for each result
 };
 
-/// `name_of` gives the name of a symbol in the audit file; `taken` are names that variables of the
-/// rows may not have, and becomes more.
+/// `name_of` returns the name of a symbol in the audit file; `taken` holds the names that variables
+/// of the rows may not have, and grows.
 [[nodiscard]] WrittenCall written_call(
     const ProgramFunction& function, const ProgramOutline& outline, Language language,
     const std::function<std::string(const std::string&)>& name_of, std::set<std::string>& taken);

@@ -1,4 +1,4 @@
-// Statements whose left side is a matrix of the map.
+// Audits statements whose left side is a matrix of the map.
 #include "audit/latex/paper_statements.hpp"
 #include "latex/read_matrix.hpp"
 #include "latex/rows.hpp"
@@ -10,7 +10,7 @@ namespace {
 using generator::latex::LatexMatrix;
 using generator::latex::Token;
 
-/// Comparing an inverse takes ten seconds for as many.
+/// Comparing an inverse with this many products takes ten seconds.
 constexpr std::size_t most_products = 100'000;
 
 void expect_few_entries(std::size_t rows, std::size_t columns, Place place) {

@@ -31,7 +31,7 @@ std::string case_text(const Case& values) {
                       [](const auto& pair) { return pair.first + " = " + pair.second; });
 }
 
-/// Why there is nothing to audit in a paper with these equations.
+/// The reason why a paper with these equations has nothing to audit.
 std::string why_nothing(const std::vector<generator::latex::Displayed>& equations,
                         const PaperMap& map) {
   if (equations.empty()) {
@@ -81,8 +81,8 @@ class PaperAuditor {
 
   /// Reads the definitions of the paper; each may use others, also later ones.
   void define_all() {
-    // Where a name is defined more than once, the first definition that can be read in a pass
-    // through the paper counts. Only those whose needs were met since are read again.
+    // Of several definitions of a name, the first that can be read in a pass through the paper
+    // counts. Only definitions whose missing names have since been defined are read again.
     std::set<std::pair<std::size_t, std::size_t>> ready;  // pass, place in the paper
     for (std::size_t place = 0; place < stated_.size(); ++place) {
       if (!stated_[place].defines.empty() && !stated_[place].error) {
@@ -104,7 +104,7 @@ class PaperAuditor {
         waiting[needed.name].push_back(place);
         continue;
       } catch (const FormulaError&) {
-        continue;  // its audit says why
+        continue;  // its audit reports the error
       }
       stated.sides.erase(stated.sides.begin());
       for (const std::size_t other : waiting[name]) {
@@ -114,7 +114,7 @@ class PaperAuditor {
     }
   }
 
-  /// Reverses closures that are printed with all signs reversed, also for what is printed before.
+  /// Reverses closures that are printed with all signs reversed, also in earlier statements.
   void turn_closures() {
     std::map<std::string, bool> turned;
     for (const Stated& stated : stated_) {
@@ -175,7 +175,7 @@ class PaperAuditor {
 
   void audit_equations(const Stated& stated) {
     if (stated.sides.size() < 2) {
-      return;  // a definition, and nothing beside it
+      return;  // only a definition
     }
     const std::size_t letters =
         std::max(stated.tokens.size(), formulas_.source(stated.tokens).size());

@@ -10,7 +10,7 @@ using generator::latex::Token;
 
 namespace {
 
-/// Names in a tree that the paper has to define.
+/// Collects the names in a tree that the paper has to define.
 void collect_printed(const text::Expression& tree, std::vector<const text::Expression*>& list) {
   if (tree.kind == text::Expression::Kind::name && tree.name.starts_with(printed_name(""))) {
     list.push_back(&tree);

@@ -1,4 +1,4 @@
-// Turns tokens of a paper into expressions in the quantities of its map.
+// Reads tokens of a paper as expressions in the quantities of its map.
 #pragma once
 
 #include "audit/latex/paper_map.hpp"
@@ -13,10 +13,10 @@ using generator::latex::Meaning;
 struct NotDefined : FormulaError {
   NotDefined(const std::string& what, Place at, std::string name_in)
       : FormulaError(what, at), name(std::move(name_in)) {}
-  std::string name;  ///< as formulas have it
+  std::string name;  ///< its name in formulas
 };
 
-/// What the formulas of a paper say.
+/// The formulas of a paper and their definitions.
 class PaperFormulas {
  public:
   PaperFormulas(const std::string& paper, PaperMap& map)
@@ -29,10 +29,10 @@ class PaperFormulas {
   [[nodiscard]] closures::ClosureSystem& system() { return points_.system(); }
   [[nodiscard]] bool blanks_are_zero() const { return reading_.blanks_are_zero; }
 
-  /// The expression of tokens; `place` is where a formula without tokens should stand. Throws
+  /// The expression of tokens; `place` is where a missing formula should stand. Throws
   /// FormulaError, and NotDefined for the first quantity that the paper should define and does not.
   [[nodiscard]] GiNaC::ex expression(const Tokens& tokens, Place place);
-  /// The tokens as they stand in the file, on one line.
+  /// The tokens as written in the file, on one line.
   [[nodiscard]] std::string source(const Tokens& tokens) const;
 
  private:

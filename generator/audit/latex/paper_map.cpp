@@ -47,7 +47,7 @@ bool contains(const std::vector<std::string>& list, const std::string& word) {
   return std::find(list.begin(), list.end(), word) != list.end();
 }
 
-/// The part of a text behind a word that it begins with.
+/// The rest of a text that begins with a word.
 std::optional<PlacedText> behind(const PlacedText& text, const std::string& word) {
   PlacedText rest = text;
   if (closures::take_word(rest).text != word) {
@@ -56,7 +56,7 @@ std::optional<PlacedText> behind(const PlacedText& text, const std::string& word
   return rest;
 }
 
-/// Statements of audit files that no map has, since the paper itself says what is printed.
+/// Statements of audit files that a map may not have, since the paper itself holds what is printed.
 const std::vector<std::string> of_the_audit = {"printed", "scene", "group", "given", "value"};
 
 const std::vector<std::string> own_keywords = {"closures", "display",  "index", "sum",
@@ -189,8 +189,8 @@ void PaperMap::read_index(const PlacedText& rest,
   }
 }
 
-/// Whether what a sum over the index writes in its place has the index again, itself or through the
-/// index of another sum: such a sum would never end.
+/// Whether the terms of a sum over the index contain the index again, directly or through the index
+/// of another sum: such a sum would never end.
 bool PaperMap::sums_itself(const std::string& index) const {
   std::vector<std::string> reached = {index};
   for (std::size_t next = 0; next < reached.size(); ++next) {
@@ -340,7 +340,7 @@ void PaperMap::expect_known_names() {
   };
   for (const Formula& formula : formulas_) {
     if (formula.text.text.find('?') != std::string::npos) {
-      continue;  // the paper's notation fills it in
+      continue;  // filled in by the paper's notation
     }
     try {
       expect_known_names(text::parse_expression(formula.text.text, closures::formula_functions()),

@@ -24,7 +24,7 @@ void expect_sides(const Stated& stated) {
   }
 }
 
-/// `(k = 1, \dots, 4)`, which only repeats what the map says, and `\text{and}`.
+/// `(k = 1, \dots, 4)`, which only repeats the map, and `\text{and}`.
 bool is_remark(const Tokens& tokens, const PaperMap& map) {
   if (tokens[0].is("\\text") || tokens[0].is("\\mbox")) {
     std::size_t at = 1;

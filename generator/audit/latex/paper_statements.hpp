@@ -1,5 +1,4 @@
-// The statements that the displayed equations of a paper make, and the findings of those about
-// matrices.
+// Statements of the displayed equations of a paper, and the audit of those about matrices.
 #pragma once
 
 #include <optional>
@@ -21,18 +20,18 @@ struct Stated {
 };
 
 /// The statements of a paper, except those that the map skips. Throws FormulaError for a file that
-/// cannot be followed.
+/// cannot be read.
 [[nodiscard]] std::vector<Stated> paper_statements(const Tokens& tokens, PaperMap& map);
 
 /// The findings of a statement about matrices.
 struct MatrixAnswer {
-  std::size_t columns = 0;  ///< zero where the findings are not of single entries
+  std::size_t columns = 0;  ///< zero if the findings are not about single entries
   std::vector<Finding> findings;
 };
 
 /// `J = \begin{pmatrix} ... \end{pmatrix}` entry by entry, and `dq/da = -[df/dq]^{-1} df/da`, which
-/// is audited as `df/dq dq/da = -df/da`. Nothing where no matrix of the map stands on the left.
-/// Throws FormulaError.
+/// is audited as `df/dq dq/da = -df/da`. Empty if the left side is not a matrix of the map. Throws
+/// FormulaError.
 [[nodiscard]] std::optional<MatrixAnswer> audit_matrix_statement(PaperFormulas& formulas,
                                                                  const Stated& stated);
 

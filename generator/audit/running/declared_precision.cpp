@@ -14,7 +14,7 @@ bool is_of_a_name(char letter) {
   return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
 }
 
-/// Names, and single other letters but white space; comments and quoted texts are left out.
+/// Names, and other single characters except white space; comments and quoted texts are left out.
 std::vector<std::string> tokens(const std::string& text) {
   std::vector<std::string> list;
   for (std::size_t at = 0; at < text.size();) {
@@ -59,7 +59,7 @@ bool has_single_parameters(const std::string& file_text, const std::string& code
     if (file[at] != "(" || !called.contains(file[at - 1])) {
       continue;
     }
-    // Up to the next parenthesis: a list of parameters is over there, and so is one of arguments.
+    // Up to the next parenthesis, which ends a list of parameters or of arguments.
     for (std::size_t inside = at + 1;
          inside < file.size() && file[inside] != ")" && file[inside] != "("; ++inside) {
       if (file[inside] == "float" && file[inside + 1 < file.size() ? inside + 1 : inside] != "(" &&

@@ -1,4 +1,4 @@
-// The text of a small program, the driver, that computes the values of a user's program.
+// The driver: a small program that computes the values of a user's program.
 #pragma once
 
 #include <string>
@@ -9,15 +9,14 @@ namespace assur::generator::audit::running {
 
 /// A driver reads `points`, one point per line, and appends a line for each to `values`: `d` or,
 /// for single precision, `s`, and the entries; or `!` and the error that ended the program there.
-/// It ends with status 3 where it can give no values at all, and writes why to `complaint`: `!` and
-/// an error, `?` and what else is wrong with the program, or what the result is in place of a
-/// matrix.
+/// If it can compute no values at all it ends with status 3 and writes the reason to `complaint`:
+/// `!` and an error, or `?` and another fault of the program or of its result.
 struct Driver {
   std::string file_name;
   std::string text;
 };
 
-/// What a driver, or the compiler of one, says where it cannot tell how to read an entry.
+/// The text by which a driver, or its compiler, reports that the way to read an entry is unclear.
 inline constexpr const char* entry_is_unclear = "assur_cannot_tell_how_an_entry_is_read";
 
 [[nodiscard]] Driver driver_of(const UserProgram& program, const MatrixSize& size,

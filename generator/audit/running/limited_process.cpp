@@ -81,7 +81,7 @@ void limit(decltype(RLIMIT_CORE) what, rlim_t most) {
   setrlimit(what, &both);
 }
 
-/// What the child does between fork and exec. It makes only calls that are safe there.
+/// Runs in the child between fork and exec; makes only async-signal-safe calls.
 [[noreturn]] void become(char* const* command, char* const* environment, const char* directory,
                          const ProcessLimits& limits, const Pipe& output, const Pipe& failure) {
   setpgid(0, 0);
@@ -115,7 +115,7 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return list;
 }
 
-/// Reads what has come through the pipe so far, and keeps the beginning of all output.
+/// Reads the output that has come through the pipe so far, and keeps its beginning.
 void drain(int pipe, std::string& output) {
   std::array<char, 4096> buffer{};
   for (ssize_t count = 0; (count = read(pipe, buffer.data(), buffer.size())) > 0;) {
@@ -136,7 +136,7 @@ ProcessEnd run_process(const std::vector<std::string>& command,
       "HOME=" + home.string(),
       "TMPDIR=" + home.string(),
       "LC_ALL=C",
-      "MALLOC_PERTURB_=165",  // so that memory that was never set is not zero by chance
+      "MALLOC_PERTURB_=165",  // so that uninitialised memory is not zero by chance
       "OMP_NUM_THREADS=1",
       "OPENBLAS_NUM_THREADS=1"};
   const std::vector<char*> arguments = pointers(words);
@@ -170,12 +170,12 @@ ProcessEnd run_process(const std::vector<std::string>& command,
     pollfd event{output.ends[0], POLLIN, 0};
     poll(&event, 1, 10);
     if ((event.revents & POLLHUP) != 0) {
-      usleep(1000);  // it has closed its output and runs on
+      usleep(1000);  // it has closed its output and still runs
     }
     drain(output.ends[0], end.output);
   }
   drain(output.ends[0], end.output);
-  kill(-child, SIGKILL);  // processes that it may have left behind
+  kill(-child, SIGKILL);  // processes that it may have left running
   int error = 0;
   if (read(failure.ends[0], &error, sizeof error) > 0) {
     end.kind = ProcessEnd::Kind::not_found;

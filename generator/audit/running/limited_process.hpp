@@ -1,4 +1,4 @@
-// A directory of its own for a program, and its run within limits of time and memory.
+// A temporary directory for a program, and a run within limits of time and memory.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ class WorkDirectory {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   // NOLINTNEXTLINE(modernize-use-nodiscard): it writes, and callers that read by name need no path
   std::filesystem::path write(const std::string& name, const std::string& text) const;
-  /// Empty where there is no such file.
+  /// Empty if there is no such file.
   [[nodiscard]] std::string read(const std::string& name) const;
 
  private:
@@ -34,11 +34,11 @@ struct ProcessEnd {
 
   Kind kind = Kind::ended;
   int code = 0;        ///< the exit status, or the signal that killed it
-  std::string output;  ///< the beginning of what both its streams gave
+  std::string output;  ///< the beginning of both output streams
 };
 
-/// Runs a command, which is looked for in PATH, in a directory, with no input, a few plain
-/// environment variables and files of at most 64 MB. Ends what the command leaves running.
+/// Runs a command, found by PATH, in a directory, with no input, a few plain environment variables
+/// and files of at most 64 MB. Kills the processes that it leaves running.
 [[nodiscard]] ProcessEnd run_process(const std::vector<std::string>& command,
                                      const std::filesystem::path& directory,
                                      const std::filesystem::path& home,

@@ -41,7 +41,7 @@ std::string seconds_text(double seconds) {
   return text.str();
 }
 
-/// The first line that says what is wrong, without the name of the driver's own directory.
+/// The first line that states an error, without the name of the driver's directory.
 std::string first_error(const std::string& output, const std::string& directory) {
   std::istringstream in(output);
   std::string line;
@@ -80,7 +80,7 @@ ProcessEnd run_tool(const UserProgram& program, const std::vector<std::string>& 
 
 [[noreturn]] void fail_on_entry(const MatrixSize& size) {
   throw ProgramError(
-      "it cannot be told how an entry of the result is read; say, for instance, 'entry result[i*" +
+      "how to read an entry of the result is not known; say, for instance, 'entry result[i*" +
       std::to_string(size.columns) + " + j]'");
 }
 
@@ -139,7 +139,7 @@ std::string signal_text(int signal) {
          (name == nullptr ? "" : std::string(" (SIG") + name + ")");
 }
 
-/// Throws what a driver says where it can give no values at all; a result of another size at a
+/// Throws the driver's complaint if it can compute no values at all; a result of another size at a
 /// later point is a fault of that point, which is returned. `done` points have their values.
 std::string fault_of(const std::string& complaint, const MatrixSize& size, std::size_t done) {
   if (complaint == entry_is_unclear) {
@@ -157,7 +157,7 @@ std::string fault_of(const std::string& complaint, const MatrixSize& size, std::
   return text;
 }
 
-/// Why the program went no further.
+/// The reason why the program ended.
 std::string end_text(const ProcessEnd& end, const RunLimits& limits) {
   switch (end.kind) {
     case ProcessEnd::Kind::too_long:
@@ -177,7 +177,7 @@ PointValues failed(const std::string& why, std::size_t count) {
           std::vector<std::string>(count, why)};
 }
 
-/// The entry that a word spells, and why it has no value, if so.
+/// The entry that a word spells, and the reason if it has no value.
 std::pair<double, std::string> read_entry(const std::string& word) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const std::string complex = "complex:";
@@ -194,7 +194,7 @@ std::pair<double, std::string> read_entry(const std::string& word) {
                                      : ""};
 }
 
-/// What the driver wrote for a point: nothing where the line is not complete.
+/// The driver's line for a point; empty if the line is incomplete.
 std::optional<PointValues> read_point(const std::string& line, std::size_t count, bool complex) {
   if (line.starts_with('!')) {
     return failed("it ended with " + line.substr(1), count);

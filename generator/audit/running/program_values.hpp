@@ -1,4 +1,4 @@
-// Turns a user's program and points into what the program computes there.
+// The values that a user's program computes at points.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@ enum class Language : unsigned char { cpp, c, python, octave, javascript };
 /// A function in a file, and how to call it for a matrix. Quantities are variables of their names.
 struct UserProgram {
   std::filesystem::path file;       ///< absolute
-  std::filesystem::path directory;  ///< in which it is compiled: paths in flags start there
+  std::filesystem::path directory;  ///< directory of compilation: paths in flags start there
   Language language = Language::cpp;
-  std::vector<std::string> before;  ///< statements that run before, in its own language
+  std::vector<std::string> before;  ///< statements to run first, in the program's language
   std::string result;               ///< an expression: the matrix
   std::string entry;                ///< in `result`, `i` and `j`; empty: by the result's type
   std::vector<std::string> flags;   ///< of the compiler or the interpreter
-  std::string tool;                 ///< which one; empty: the usual one of the language
+  std::string tool;                 ///< its name; empty: the usual one of the language
 };
 
 struct MatrixSize {
@@ -35,30 +35,30 @@ struct PointTable {
 };
 
 struct RunLimits {
-  double seconds = 10;                ///< for a run; compilation may take six times as long
+  double seconds = 10;                ///< per run; compilation may take six times as long
   std::size_t megabytes = 2048;       ///< of memory for a compiled program
   std::size_t most_megabytes = 8192;  ///< for compilers and interpreters
 };
 
-/// Why a program cannot be run at all, in one line.
+/// The reason why a program cannot be run at all, in one line.
 struct ProgramError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What a program gives at one point, row by row.
+/// The values of a program at one point, row by row.
 struct PointValues {
   std::vector<double> entries;
-  std::vector<double> imaginary;    ///< of the entries, where the quantities have imaginary parts
-  std::vector<std::string> faults;  ///< why an entry has no value; empty where it has one
+  std::vector<double> imaginary;    ///< of the entries, if the quantities have imaginary parts
+  std::vector<std::string> faults;  ///< why an entry has no value; else empty
 };
 
 struct ProgramValues {
-  /// As far as the program came: one that crashes, or does not end, has no values after that point.
+  /// Values up to the point at which the program crashed or did not end.
   std::vector<PointValues> points;
-  bool single_precision = false;  ///< of the result, or of parameters that the file declares
+  bool single_precision = false;  ///< of the result, or of parameters declared in the file
 };
 
-/// Whether functions of a language take complex numbers where they are written for real ones.
+/// Whether functions of a language that are written for real numbers take complex ones.
 [[nodiscard]] bool takes_complex_numbers(Language language);
 
 /// Runs the program at all points. Throws ProgramError.

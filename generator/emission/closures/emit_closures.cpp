@@ -14,11 +14,11 @@ namespace assur::generator::emission::closures {
 
 namespace {
 
-/// The words of the template that no type and no member of the user's may hide ...
+/// Identifiers of the template that no type and no member of the user's may hide ...
 const std::vector<std::string> types = {"Scalar",     "Dimensions", "Inputs", "Configuration",
                                         "Direction",  "Vector",     "Matrix", "ModelVariable",
                                         "SolvedByLu", "members",    "std",    "support"};
-/// ... and those that no local variable of a function may hide.
+/// ... and identifiers that no local variable of a function may hide.
 const std::vector<std::string> names_in_functions = {"q",
                                                      "d",
                                                      "u",

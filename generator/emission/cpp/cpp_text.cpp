@@ -24,8 +24,8 @@ struct ConstantProduct {
   std::vector<std::string> names;
 };
 
-/// A coefficient as a product of named constants; nothing if it is no such product, or if doubles
-/// would round it.
+/// A coefficient as a product of named constants; empty if it is not one, or if rounding to double
+/// would change it.
 std::optional<ConstantProduct> constant_product(const program::Coefficient& coefficient,
                                                 const program::SymbolOrder& order) {
   ConstantProduct product{1, {}};
@@ -66,7 +66,7 @@ std::optional<ConstantProduct> constant_product(const program::Coefficient& coef
   return rounded ? std::nullopt : std::optional(product);
 }
 
-/// The named constant that equals a coefficient up to its sign, if no double holds its value.
+/// The named constant that equals a coefficient up to its sign, if no double equals it.
 std::optional<GiNaC::symbol> quotient(const program::Coefficient& coefficient,
                                       const program::SymbolOrder& order) {
   for (const GiNaC::ex& origin : {coefficient.origin(), GiNaC::ex(-coefficient.origin())}) {
@@ -77,7 +77,7 @@ std::optional<GiNaC::symbol> quotient(const program::Coefficient& coefficient,
   return std::nullopt;
 }
 
-/// The coefficients of all that a program computes.
+/// The coefficients of all computations of a program.
 std::vector<program::Coefficient> coefficients_of(const program::Program& program) {
   std::vector<program::Coefficient> list;
   for (const program::ScaledNode& value : program.values()) {
@@ -128,7 +128,7 @@ class CppText {
     return scaled(step.value);
   }
 
-  /// Declares each named constant whose value no double holds.
+  /// Declares each named constant that no double equals.
   void add_quotients(FilledLines& lines) const {
     std::map<std::string, GiNaC::numeric> values;
     const program::SymbolOrder& order = program_.graph().order();
@@ -147,7 +147,7 @@ class CppText {
     return program_.graph().nodes()[node];
   }
 
-  /// A number as it is written, and whether a minus sign goes before it.
+  /// A number in C++, and whether a minus sign precedes it.
   struct Number {
     bool negative;
     std::string text;
@@ -169,9 +169,9 @@ class CppText {
     return {coefficient.is_negative(), literal(coefficient.size().value())};
   }
 
-  /// A number that a double holds is written in its digits, and one like a third as a quotient. Any
-  /// other is written as the double nearest to it and the double nearest to the rest, so that in
-  /// double-double arithmetic it is as exact as the operations.
+  /// A number that equals a double is written in digits, and one like a third as a quotient. Any
+  /// other is the sum of the nearest double and the double nearest to the remainder, so that its
+  /// error in double-double arithmetic is that of one operation.
   static std::string literal(const GiNaC::numeric& number) {
     if (is_double(number)) {
       return "Scalar(" + digits(number) + ")";
@@ -184,7 +184,7 @@ class CppText {
            round_trip(rest.to_double()) + ")";
   }
 
-  /// A number that a double holds.
+  /// A number that equals a double.
   static std::string digits(const GiNaC::numeric& number) {
     return number.is_integer() && number < small ? std::to_string(number.to_int())
                                                  : round_trip(number.to_double());
@@ -244,14 +244,14 @@ class CppText {
   const Spelling& spelling_;
 };
 
-/// Whether one of these operators stands at the place, between spaces.
+/// Whether one of these operators, between spaces, is at the position.
 bool is_operator(const std::string& line, std::size_t place, std::string_view operators) {
   return place > 0 && place + 1 < line.size() && line[place - 1] == ' ' && line[place + 1] == ' ' &&
          operators.find(line[place]) != std::string_view::npos;
 }
 
-/// The last place within the line width where code may be broken: at a space after a comma or
-/// before an operator, or if there is no such place, at any space after `start`.
+/// The last position within the line width at which code may be broken: at a space after a comma or
+/// before an operator, or else at any space after `start`.
 std::size_t break_of_code(const std::string& line, std::size_t start) {
   std::size_t any = std::string::npos;
   std::size_t good = std::string::npos;
@@ -269,9 +269,8 @@ std::size_t break_of_code(const std::string& line, std::size_t start) {
   return good == std::string::npos ? any : good;
 }
 
-/// The last place in the second half of the line width where a comment may be broken: at a space
-/// outside formulas, or before a plus or minus; if there is no such place, at any space after
-/// `start`.
+/// The last position in the second half of the line width at which a comment may be broken: at a
+/// space outside formulas, or before a plus or minus; else at any space after `start`.
 std::size_t break_of_comment(const std::string& line, std::size_t start) {
   std::size_t any = std::string::npos;
   std::size_t before_term = 0;
@@ -309,7 +308,7 @@ bool is_double(const GiNaC::numeric& number) { return number == exact(number.to_
 
 std::string round_trip(double value) {
   std::array<char, 32> text{};
-  const double unsigned_zero = value + 0.0;  // -0.0 + 0.0 is 0.0, any other number stays itself
+  const double unsigned_zero = value + 0.0;  // -0.0 + 0.0 is 0.0, any other number is unchanged
   const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), unsigned_zero);
   std::string digits(text.data(), end);
   return digits.find_first_of(".e") == std::string::npos ? digits + ".0" : digits;

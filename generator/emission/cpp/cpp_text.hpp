@@ -1,4 +1,4 @@
-// Turns a straight-line program into lines of C++.
+// Prints a straight-line program as lines of C++.
 #pragma once
 
 #include <functional>
@@ -10,15 +10,15 @@
 
 namespace assur::generator::emission::cpp {
 
-/// How a symbol that a program reads is spelled in C++: `q.theta_BCG.cos`.
+/// The C++ spelling of a symbol that a program reads: `q.theta_BCG.cos`.
 using Spelling = std::function<std::string(const std::string& symbol)>;
 
-/// The shortest decimal number that reads back as the same double; zero has no sign.
+/// The shortest decimal number that is read as the same double; zero has no sign.
 [[nodiscard]] std::string round_trip(double value);
 
-/// The rational number that a double equals.
+/// The rational number equal to a double.
 [[nodiscard]] GiNaC::numeric exact(double value);
-/// Whether a double equals a rational number exactly.
+/// Whether some double equals a rational number exactly.
 [[nodiscard]] bool is_double(const GiNaC::numeric& number);
 
 /// Adds the program's statements: its steps, which are declarations, and its assignments.

@@ -1,4 +1,5 @@
-// Expressions and statements of emitted functions, as data that tell what they read and call.
+// Expressions and statements of emitted functions as trees, with queries of what they read and
+// call.
 #pragma once
 
 #include <functional>
@@ -67,13 +68,13 @@ struct Expression {
 [[nodiscard]] Expression word(std::size_t count);
 [[nodiscard]] Expression variable(const std::string& name);
 [[nodiscard]] Expression call(Name function, std::vector<Expression> arguments = {});
-/// A value of a type, or of the type that the context tells if the name is empty.
+/// A value of a type; with an empty name the context determines the type.
 [[nodiscard]] Expression braces(Name type, std::vector<Expression> members = {});
 /// `std::array<Type, 2>{{a, b}}`
 [[nodiscard]] Expression array(const Name& type, std::vector<Expression> items);
 [[nodiscard]] Expression address(Expression of);
 [[nodiscard]] Expression parentheses(Expression inner);
-/// The negative of a negative is the expression itself.
+/// The negative of a negative is the inner expression.
 [[nodiscard]] Expression negative(Expression of);
 [[nodiscard]] Expression sum(std::vector<Expression> terms);
 [[nodiscard]] Expression product(std::vector<Expression> factors);
@@ -82,10 +83,9 @@ struct Expression {
 
 /// A statement of a function.
 struct Statement {
-  std::optional<Name> type;  ///< of a declaration
-  std::optional<Expression>
-      target;                       ///< what is declared or assigned; a call and a result have none
-  std::optional<Expression> value;  ///< a declaration may have none
+  std::optional<Name> type;          ///< of a declaration
+  std::optional<Expression> target;  ///< declared or assigned; none for a call or a result
+  std::optional<Expression> value;   ///< a declaration may have none
   std::string comment;
   bool is_result = false;
 };
@@ -106,7 +106,7 @@ void visit(const Statement& statement, const Visit& visitor);
 /// Whether a part of one of the statements has a property.
 [[nodiscard]] bool any_part(const Block& block,
                             const std::function<bool(const Expression&)>& has_property);
-/// Whether a statement reads a variable; what it declares does not count.
+/// Whether a statement reads a variable; its own declaration does not count.
 [[nodiscard]] bool reads(const Statement& statement, const std::string& variable);
 [[nodiscard]] bool reads(const Block& block, const std::string& variable);
 /// Whether one of the statements declares a variable; locals do not count.

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The scene file that an emitted solver says it is for; empty for any other text.
+/// The scene file named in an emitted solver; empty for any other text.
 std::string scene_of(const std::string& text) {
   const std::string before = "// Reproduce: assur emit --scene ";
   const std::size_t place = text.find(before);
@@ -39,7 +39,7 @@ std::string head_of(const fs::path& file, std::size_t most) {
   return text;
 }
 
-/// Refuses to replace the solver of one scene by that of another.
+/// Throws if the file would replace the solver of another scene.
 void expect_same_scene(const EmittedFile& file, const fs::path& target) {
   constexpr std::size_t most_before_scene = 4096;
   const std::string there = scene_of(head_of(target, most_before_scene));
@@ -51,7 +51,7 @@ void expect_same_scene(const EmittedFile& file, const fs::path& target) {
   }
 }
 
-/// Files written beside those that they are to replace; removed if that does not happen.
+/// Files written beside those that they are to replace; removed unless they replace them.
 class PendingFiles {
  public:
   explicit PendingFiles(fs::path directory) : directory_(std::move(directory)) {}
@@ -62,7 +62,7 @@ class PendingFiles {
     for (const auto& [beside, target] : written_) {
       fs::remove(beside, ignored);
     }
-    for (const fs::path& made : made_) {  // one with a file in it stays
+    for (const fs::path& made : made_) {  // a directory that is not empty stays
       fs::remove(made, ignored);
     }
   }
@@ -70,7 +70,7 @@ class PendingFiles {
   void write(const EmittedFile& file) {
     const fs::path target = directory_ / file.path;
     fs::path beside = target;
-    // Two runs at the same time must not write the same file.
+    // Two simultaneous runs must not write the same file.
     beside += ".part" + std::to_string(getpid());
     std::error_code error;
     auto place = made_.begin();
@@ -111,7 +111,7 @@ class PendingFiles {
  private:
   fs::path directory_;
   std::vector<Renaming> written_;
-  std::vector<fs::path> made_;  ///< directories, each before those that hold it
+  std::vector<fs::path> made_;  ///< directories, the inner ones first
 };
 
 }  // namespace
@@ -128,7 +128,7 @@ std::vector<fs::path> differing_files(const std::vector<EmittedFile>& files,
                                       const fs::path& directory) {
   std::vector<fs::path> differing;
   for (const EmittedFile& file : files) {
-    // One byte more than is emitted shows whether the file goes on.
+    // One byte more than is emitted shows a file that is longer.
     if (head_of(directory / file.path, file.text.size() + 1) != file.text) {
       differing.push_back(file.path);
     }

@@ -1,4 +1,4 @@
-// Turns emitted text into the files of a directory, or compares it with what is there.
+// Writes emitted files into a directory, or compares them with those that it contains.
 #pragma once
 
 #include <filesystem>
@@ -13,10 +13,10 @@ struct EmittedFile {
   std::string text;
 };
 
-/// Writes the files. Each is written beside its place, and all are moved there when the last one is
-/// written, so that no file is ever half-written and a full disk leaves the old files. Throws
-/// InputError if the directory cannot be written, or if a directory or the solver of another scene
-/// is in the place of a file.
+/// Writes the files. Each is written beside its target, and all are renamed when the last one is
+/// complete, so that no file is ever half-written and a full disk leaves the old files. Throws
+/// InputError if the directory cannot be written, or if a file's target is a directory or the
+/// solver of another scene.
 void write_files(const std::vector<EmittedFile>& files, const std::filesystem::path& directory);
 /// The files that are missing or differ in `directory`.
 [[nodiscard]] std::vector<std::filesystem::path> differing_files(

@@ -4,7 +4,7 @@ namespace assur::generator::emission::cpp {
 
 namespace {
 
-/// What entries of one row have in common: `J(0` of `J(0, 1)`, `rhs` of `rhs(0)`.
+/// The common part of entries of one row: `J(0` of `J(0, 1)`, `rhs` of `rhs(0)`.
 std::string row_of(const std::string& target) {
   const std::size_t comma = target.find(',');
   return target.substr(0, comma == std::string::npos ? target.find_first_of("([.") : comma);

@@ -1,4 +1,4 @@
-// Lays out the statements of a straight-line function: those that belong together share lines.
+// Lays out the statements of a straight-line function; related ones share lines.
 #pragma once
 
 #include <string>
@@ -6,20 +6,20 @@
 
 namespace assur::generator::emission::cpp {
 
-/// The columns of a line of emitted text, and how far the body of a member function is indented.
+/// The width of a line of emitted text, and the indentation of a member function's body.
 constexpr std::size_t line_width = 100;
 constexpr std::size_t body_indentation = 4;
 
 /// Consecutive declarations become one statement, and assignments to entries of one row of a matrix
-/// stand beside one another, as long as the line is not full.
+/// share a line as long as there is room.
 class FilledLines {
  public:
-  /// Lines that are indented as far as the body of a member function, or further.
+  /// Lines with the indentation of a member function's body, or more.
   explicit FilledLines(std::size_t indentation = body_indentation) : indentation_(indentation) {}
 
-  /// A line that shares its place with no other.
+  /// A line by itself.
   void add(const std::string& line);
-  /// What follows begins a line.
+  /// The next text begins a line.
   void begin_line() { last_ = Last::other; }
   /// `const Scalar name = value`
   void declare(const std::string& name, const std::string& value);
@@ -30,7 +30,7 @@ class FilledLines {
 
  private:
   enum class Last : unsigned char { other, declaration, assignment };
-  /// Whether a line has room for more text behind it.
+  /// Whether a line has room for more text.
   [[nodiscard]] bool has_room(const std::string& more) const;
 
   std::size_t indentation_;

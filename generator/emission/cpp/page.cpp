@@ -16,12 +16,12 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-/// Marks blank lines until a template is filled in: otherwise a tag whose line end is removed, with
-/// a blank line after it, would again be a line that holds nothing but a tag.
+/// Marks blank lines until a template is filled in: otherwise a tag whose line end is removed,
+/// followed by a blank line, would again be a line with only a tag.
 const std::string blank_line = "\x01";
 
-/// A template without the ends of lines that hold nothing but a tag. The library keeps these ends
-/// where a section is hidden, which leaves a blank line.
+/// A template without the line ends of lines that contain only a tag. The Mustache library keeps
+/// these line ends where a section is hidden, which leaves a blank line.
 std::string without_tag_lines(const std::string& text) {
   std::istringstream in(text);
   std::string page;

@@ -1,4 +1,4 @@
-// Turns a template and the view that it shows into C++ text.
+// Fills in a template with the values of a view.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace assur::generator::emission::cpp {
 
-/// What a template shows, by name: texts, whether a section is shown, and lists of views.
+/// Named values of a template: texts, whether a section is shown, and lists of views.
 class View {
  public:
   using List = std::vector<View>;
@@ -28,17 +28,17 @@ class View {
   std::map<std::string, Value> values_;
 };
 
-/// One view per line, with the line as `line`.
+/// One view per line, whose value `line` is that line.
 [[nodiscard]] View::List line_list(const std::vector<std::string>& lines,
                                    const std::string& indentation = "");
 
 [[nodiscard]] std::string boolean(bool value);
 
-/// A user's text for a comment: on one line, without a backslash that would continue it.
+/// A user's text for a comment: one line, without a backslash that would continue it.
 [[nodiscard]] std::string comment_text(std::string text);
 
-/// A template of templates/ filled in, with its lines broken at 100 columns. It may include the
-/// others; lines that hold nothing but a tag of a section leave no blank line.
+/// A template of templates/ filled in, with its lines broken at 100 columns. It may include other
+/// templates; lines that contain only a section's tag leave no blank line.
 [[nodiscard]] std::string page(const std::string& name, const View& view);
 
 }  // namespace assur::generator::emission::cpp

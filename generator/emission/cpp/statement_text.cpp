@@ -56,7 +56,7 @@ class Printer {
     return "";
   }
 
-  /// The lines of a statement; its comment is beside it where there is room.
+  /// The lines of a statement; its comment follows on the same line if there is room.
   void add(const Statement& statement, std::vector<std::string>& lines) {
     if (statement.type && statement.target->form == Form::local) {
       name(*statement.target);
@@ -78,7 +78,7 @@ class Printer {
   }
 
  private:
-  /// Of the body of a function in a nested struct.
+  /// For the body of a function in a nested struct.
   static constexpr std::size_t indentation = 6;
 
   void name(const Expression& local) {
@@ -92,7 +92,7 @@ class Printer {
     return text::joined(some, between, [this](const Expression& part) { return text(part); });
   }
 
-  /// A part, in parentheses if it is of one of these forms.
+  /// A part, in parentheses if it has one of these forms.
   [[nodiscard]] std::string operand(const Expression& part, const std::vector<Form>& weaker) const {
     for (const Form form : weaker) {
       if (part.form == form) {

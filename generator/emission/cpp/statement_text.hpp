@@ -12,8 +12,8 @@ namespace assur::generator::emission::cpp {
 /// float computes nothing in double.
 [[nodiscard]] std::string printed(const Expression& expression);
 
-/// The text of the statements of one function, a line each. A local gets the name that it has, with
-/// a number behind it if an earlier local has that name.
+/// The text of the statements of one function, one line each. A number is appended to the name of a
+/// local if an earlier local has the same name.
 [[nodiscard]] std::vector<std::string> printed(const Block& block);
 
 }  // namespace assur::generator::emission::cpp

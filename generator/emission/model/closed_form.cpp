@@ -21,8 +21,8 @@ namespace {
 using numeric::Magnitude;
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// The largest sizes of the variables of all groups whose lengths are at most `longest`; `numbers`
-/// are the sizes of variables that are numbers.
+/// The largest magnitudes of the variables of all groups whose lengths are at most `longest`;
+/// `numbers` holds those of variables that are numbers.
 Sizes sizes_up_to(double longest, const equations::ClosureEquations& equations,
                   const Sizes& numbers) {
   Sizes sizes = numbers;
@@ -54,7 +54,7 @@ class Estimate {
     }
   }
 
-  /// Zero for a result that the program leaves out.
+  /// Zero for a result that the program omits.
   [[nodiscard]] Magnitude result(const std::string& target) const {
     const auto found = results_.find(target);
     return found == results_.end() ? Magnitude() : found->second;
@@ -95,7 +95,7 @@ class Estimate {
       const Magnitude value = scaled(term);
       sum = {sum.size + value.size, sum.units + value.units};
     }
-    // Whatever the order, no partial sum is larger than the sum of all sizes.
+    // Whatever the order, no partial sum exceeds the sum of all magnitudes.
     sum.units += static_cast<double>(content.terms.size() - 1) * sum.size;
     return sum;
   }
@@ -131,7 +131,7 @@ support::Discriminants<Magnitude> discriminants(const elimination::Elimination& 
   return support::discriminants_of(T);
 }
 
-/// An upper bound of the size of a polynomial.
+/// An upper bound of the magnitude of a polynomial.
 double most(const GiNaC::ex& polynomial, const Sizes& sizes) {
   const GiNaC::ex expanded = polynomial.expand();
   if (GiNaC::is_a<GiNaC::numeric>(expanded)) {
@@ -179,8 +179,8 @@ class Circle {
     }
   }
 
-  /// The discriminant from which on a group is regular. It is zero where det J is no constant
-  /// multiple of the root of the discriminant, so that the discriminant does not decide.
+  /// The discriminant above which a group is certainly regular. Zero if det J is not a constant
+  /// multiple of the square root of the discriminant, which then does not decide.
   [[nodiscard]] double regular_discriminant(Sizes sizes) const {
     GiNaC::ex determinant = 1;
     for (const pivoting::Pivot& pivot : structured_.pivots()) {
@@ -196,7 +196,7 @@ class Circle {
             most(elimination_.vocabulary.expand(step.numerators[0]), sizes);
       }
     }
-    // `is_regular` with every size as large as it can be.
+    // `is_regular` with every magnitude at its bound.
     const auto size_of = [&](const GiNaC::ex& size) {
       return most(structured_.vocabulary().expand(size), sizes);
     };
@@ -249,9 +249,9 @@ class Circle {
     return {0, 0};
   }
 
-  /// Whether the closures hold where T = 0 once the other unknowns are computed: the sum of their
-  /// squares is a constant multiple of T^2. T must also contain every dimension and input, so that
-  /// it is not a number if one of these is not.
+  /// Whether a root of T, with the other unknowns completed, always satisfies the closures: the sum
+  /// of their squares is a constant multiple of T^2. T must also contain every dimension and input,
+  /// so that it is NaN if one of these is.
   [[nodiscard]] bool completion_closes() const {
     GiNaC::ex square;
     for (const GiNaC::ex& residual : equations_.residuals) {
@@ -271,15 +271,15 @@ class Circle {
   [[nodiscard]] GiNaC::ex expanded(const GiNaC::ex& expression) const {
     return equations_.vocabulary.expand(expression);
   }
-  /// The ratio of a value, with the other unknowns replaced as they are completed, to a polynomial.
+  /// A value, with the completed unknowns substituted, divided by a polynomial.
   [[nodiscard]] GiNaC::ex ratio(const GiNaC::ex& value, const GiNaC::ex& polynomial) const {
     const GiNaC::ex fraction = value.subs(completed_).normal().numer_denom();
     return (elimination::on_circle(fraction.op(0), equations_) /
             elimination::on_circle(fraction.op(1) * polynomial, equations_))
         .normal();
   }
-  /// The square of a key's difference between the two roots, over the discriminant. A key of higher
-  /// degree in the unknown is taken to differ by an unknown amount.
+  /// The square of a key's difference between the two roots, over the discriminant. For a key of
+  /// higher degree in the unknown the difference counts as unknown.
   [[nodiscard]] GiNaC::ex square_of_difference(const GiNaC::ex& key) const {
     const GiNaC::ex fraction = key.subs(completed_).normal().numer_denom();
     const GiNaC::ex numerator = elimination::on_circle(fraction.op(0), equations_);
@@ -331,7 +331,7 @@ int show_closed_form(const equations::ClosureEquations& equations,
   const support::Discriminants<Magnitude> twice = up_to(2 * range.longest);
   const auto show = [&](const std::string& name, const Magnitude& one, const Magnitude& two) {
     const int degree = range.is_scaled ? std::ilogb(two.size / one.size) : 0;
-    // Products of errors are not estimated. Where the size is zero, there are no other errors.
+    // Products of errors are not estimated. Where the magnitude is zero, there are no other errors.
     const bool is_known = one.rounding() > 0 && degree <= support::highest_discriminant_degree;
     constexpr double nothing_is_certain = 1e300;
     view.set(name + "_degree", std::to_string(degree));
@@ -351,7 +351,7 @@ int show_closed_form(const equations::ClosureEquations& equations,
     const Circle circle(equations, elimination, structured);
     const Sizes sizes = sizes_up_to(range.longest, equations, range.numbers);
     const Circle::Difference difference = circle.first_difference(sizes);
-    // Ten times the largest difference that rounding makes in a key.
+    // Ten times the largest difference that rounding causes in a key.
     constexpr double clear = 1e-5;
     const double from = circle.regular_discriminant(sizes);
     if (from > 0 && difference.least > 0 && circle.completion_closes()) {

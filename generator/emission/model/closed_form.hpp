@@ -1,4 +1,4 @@
-// Turns a closed form into bounds that hold for all groups of its model, whatever their numbers.
+// Bounds for the closed form of a model that hold for all its groups, whatever their numbers.
 #pragma once
 
 #include <map>
@@ -11,21 +11,22 @@
 
 namespace assur::generator::emission::model {
 
-/// Upper bounds of the sizes of symbols, by their names.
+/// Upper bounds of the magnitudes of symbols, by their names.
 using Sizes = std::map<std::string, double>;
 
 /// The groups for which the bounds hold.
 struct GroupRange {
   double longest = 1;              ///< no length exceeds this
-  bool is_scaled = true;           ///< groups may be of any scale: no length is a number
-  Sizes numbers = {};              ///< the sizes of variables that are numbers
-  double rounding_of_numbers = 0;  ///< the error of a coefficient that these cause
+  bool is_scaled = true;           ///< groups of any scale: no length is a number
+  Sizes numbers = {};              ///< magnitudes of variables that are numbers
+  double rounding_of_numbers = 0;  ///< error that these cause in a coefficient
 };
 
-/// Shows what the runtime reads of a final polynomial that is solved by formula: when the sign of
-/// its discriminant is certain, and when the discriminant proves that configurations are regular,
-/// ordered by one key, and closed by the formula itself. `polynomial` is the program that computes
-/// the final polynomial. Returns the place of that key; zero where there is no such proof.
+/// Shows the values that the runtime needs for a final polynomial that is solved by formula: when
+/// the sign of its discriminant is certain, and when the discriminant proves that configurations
+/// are regular, ordered by one key, and closed by the formula itself. `polynomial` is the program
+/// that computes the final polynomial. Returns the index of that key; zero if there is no such
+/// proof.
 int show_closed_form(const equations::ClosureEquations& equations,
                      const elimination::Elimination& elimination,
                      const pivoting::StructuredJacobian& structured,

@@ -1,4 +1,4 @@
-// Turns a model, or every model of every group, into headers.
+// Emits the header of a model, or of every model of every group.
 #include <assur/text/error.hpp>
 #include <assur/text/names.hpp>
 #include <cctype>
@@ -56,7 +56,7 @@ cpp::View::List kind_list(const structure::Model& model) {
   return list;
 }
 
-/// ` --with jerk,rates`, as the command that writes the text anew says it.
+/// ` --with jerk,rates`, the option of the command that reproduces the text.
 std::string with_option(const std::set<std::string>& with) {
   return with.empty()
              ? ""

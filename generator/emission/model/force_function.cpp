@@ -18,7 +18,7 @@ ForceFunction of_loads(const forces::GroupForces& forces, ModelFunction function
     result.given.emplace_back(load.moment, entry("loads", row, 2));
     ++row;
   }
-  // Names of the vocabulary stand for what they do, whichever function reads them.
+  // Quantities of the vocabulary keep their meanings in every function.
   row = 0;
   for (const GiNaC::symbol& component : forces.given) {
     result.given.emplace_back(component, "lambda(" + std::to_string(row++) + ")");

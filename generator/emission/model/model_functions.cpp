@@ -30,7 +30,7 @@ std::vector<program::Result> results_of(const std::string& target, const Values&
   return results;
 }
 
-/// The parameters of functions: where they are evaluated, and rates.
+/// Parameters of functions: the point of evaluation, and rates.
 struct FunctionParameters {
   Parameter dimensions{"const Dimensions<Scalar>&", "d"};
   Parameter inputs{"const Inputs<Scalar>&", "u"};

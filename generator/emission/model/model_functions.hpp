@@ -1,4 +1,4 @@
-// Turns a model's equations and derivatives into the list of functions that its header holds.
+// The functions of a model's header, from its equations and derivatives.
 #pragma once
 
 #include <cstddef>
@@ -11,13 +11,13 @@
 
 namespace assur::generator::emission::model {
 
-/// A parameter of an emitted function; it stays unnamed in C++ where the body does not use it.
+/// A parameter of an emitted function; it has no name in C++ if the body does not use it.
 struct Parameter {
   std::string type;
   std::string name;
 };
 
-/// One function to emit: results are assigned to the `outputs`. A matrix or vector is cleared first
+/// One function to emit; results are assigned to the `outputs`. A matrix or vector is cleared first
 /// if any of its entries is zero.
 struct ModelFunction {
   std::string name;
@@ -27,11 +27,11 @@ struct ModelFunction {
   std::vector<program::Result> results;
 };
 
-/// `J(1, 2)`: an entry of a matrix, as C++ writes it.
+/// `J(1, 2)`: an entry of a matrix in C++.
 [[nodiscard]] std::string entry(const std::string& matrix, std::size_t row, std::size_t column);
 
-/// The quantities that the functions of one model name, each name once, except rates, which some
-/// functions compute and others are given.
+/// The quantities that the functions of one model name, each once, except rates, which some
+/// functions compute and others take.
 [[nodiscard]] std::vector<equations::NamedQuantity> known_quantities(
     const equations::ImplicitEquations& equations,
     const std::vector<const equations::Vocabulary*>& vocabularies);
@@ -40,12 +40,12 @@ struct ModelFunction {
 [[nodiscard]] std::vector<ModelFunction> residual_functions(
     const equations::ImplicitEquations& equations,
     const derivatives::ResidualDerivatives& derivatives);
-/// The same, and the poses of the links with their derivatives.
+/// As above, with the poses of the links and their derivatives.
 [[nodiscard]] std::vector<ModelFunction> model_functions(
     const equations::ClosureEquations& equations, const derivatives::Derivatives& derivatives);
 
-/// The functions of a rigid model's position analysis; they use the elimination's vocabulary, to
-/// which reciprocals are added.
+/// The functions of a rigid model's position analysis. They use the elimination's vocabulary and
+/// add reciprocals to it.
 [[nodiscard]] std::vector<ModelFunction> position_functions(
     const equations::ClosureEquations& equations, elimination::Elimination& elimination);
 

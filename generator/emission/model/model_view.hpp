@@ -1,4 +1,4 @@
-// Turns the parts of a model into the views that the templates show.
+// Fills the views of the templates with the parts of a model.
 #pragma once
 
 #include <deque>
@@ -14,11 +14,11 @@
 
 namespace assur::generator::emission::model {
 
-/// C++ spellings of the symbols that a model's programs read. Rates keep their own names: the
-/// function's first lines take them out of the vectors.
+/// C++ spellings of the symbols that a model's programs read. Rates keep their own names: the first
+/// lines of a function read them from the vectors.
 class ModelSpelling {
  public:
-  /// The inputs are in the order of the vectors of their rates.
+  /// The inputs must be in the order of the vectors of their rates.
   ModelSpelling(const std::deque<equations::Variable>& unknowns,
                 const std::deque<equations::Variable>& dimensions,
                 const std::deque<equations::Variable>& inputs) {
@@ -27,7 +27,7 @@ class ModelSpelling {
     add(inputs, "u");
   }
 
-  /// Declares a symbol that is an entry of a parameter and is taken out of it, as rates are.
+  /// Declares that a symbol is read from an entry of a parameter, as rates are.
   void take_out(const GiNaC::symbol& symbol, const std::string& entry) {
     rates_[symbol.get_name()] = entry;
   }
@@ -39,7 +39,7 @@ class ModelSpelling {
     const auto found = members_.find(symbol);
     return found == members_.end() ? symbol : found->second;
   }
-  /// The entry that a symbol is taken out of, such as `q_rate(0)`; empty for a symbol that is none.
+  /// The entry from which a symbol is read, such as `q_rate(0)`; empty if there is none.
   [[nodiscard]] std::string taken_out(const std::string& symbol) const {
     const auto found = rates_.find(symbol);
     return found == rates_.end() ? "" : found->second;
@@ -58,8 +58,8 @@ void show_variables(const std::deque<equations::Variable>& variables, const std:
                     cpp::View& view, const std::vector<equations::Owner>& owners = {});
 /// The links with their joints and frames.
 [[nodiscard]] cpp::View::List link_list(const equations::ClosureEquations& equations);
-/// Whether zero results of outputs that are not cleared are assigned or left out. Readers of a
-/// general model know which of its results are zero; the numbers of a mechanism may make more zero.
+/// Whether zero results of outputs that are not cleared are assigned or left out. Which results of
+/// a general model are zero is known beforehand; the numbers of a mechanism may make more zero.
 enum class ZeroResults : unsigned char { left_out, assigned };
 
 /// Statements before all others, and the parameters that they read.
@@ -73,18 +73,18 @@ struct FirstStatements {
                                       const ModelSpelling& spelling,
                                       ZeroResults zeros = ZeroResults::left_out,
                                       const FirstStatements& first = {});
-/// Whether an output has entries that are zero: it is cleared before the others are assigned.
+/// Whether an output has zero entries; then it is cleared before the others are assigned.
 [[nodiscard]] bool is_cleared(const ModelFunction& function, const Parameter& output);
-/// The name of a function as its header lists it, and how many operations it takes.
+/// The name of a function in its header's list, and its number of operations.
 void show_operations(const std::string& name, const program::OperationCount& count,
                      cpp::View& view);
-/// The vector equations, and what the angles must satisfy beside them, one line each.
+/// The vector equations, and the further conditions on the angles, one line each.
 [[nodiscard]] std::vector<std::string> closure_lines(const equations::ClosureEquations& equations);
-/// How the closed form comes about, one line per step.
+/// The steps of the elimination, one line each.
 [[nodiscard]] std::vector<std::string> elimination_steps(
     const elimination::Elimination& elimination);
 
-/// Shows what the runtime reads of a rigid model: its pivots and its closed form.
+/// Shows the values that the runtime reads from a rigid model: its pivots and its closed form.
 void show_solution(const pivoting::StructuredJacobian& structured,
                    const equations::ClosureEquations& equations,
                    const elimination::Elimination& elimination, cpp::View& view);

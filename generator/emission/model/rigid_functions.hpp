@@ -1,4 +1,4 @@
-// Turns a rigid model's equations into the functions that solve them, and the names in these.
+// The functions that solve a rigid model's equations, with the quantities that they name.
 #pragma once
 
 #include <vector>
@@ -12,11 +12,11 @@ namespace assur::generator::emission::model {
 
 struct RigidFunctions {
   std::vector<NamingFunction> solutions;  ///< of J x = rhs
-  std::vector<ModelFunction> positions;   ///< they use the elimination's vocabulary
+  std::vector<ModelFunction> positions;   ///< with quantities of the elimination's vocabulary
   std::vector<equations::NamedQuantity> known;
 };
 
-/// Reciprocals are added to the elimination's vocabulary.
+/// Adds reciprocals to the elimination's vocabulary.
 [[nodiscard]] RigidFunctions rigid_functions(const equations::ClosureEquations& equations,
                                              const pivoting::StructuredJacobian& jacobian,
                                              elimination::Elimination& elimination);

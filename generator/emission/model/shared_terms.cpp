@@ -11,7 +11,7 @@ namespace assur::generator::emission::model {
 
 namespace {
 
-/// How far the body of a member function of a member struct is indented.
+/// The indentation of the body of a member function of a member struct.
 constexpr std::size_t inner_indentation = cpp::body_indentation + 2;
 
 program::Program part_of(const program::Program& whole, const ModelFunction& function) {

@@ -1,4 +1,4 @@
-// Turns functions that compute the same terms into ones that compute them in one place.
+// Shared terms of several functions, moved to one struct that computes them once.
 #pragma once
 
 #include <set>
@@ -10,13 +10,13 @@
 
 namespace assur::generator::emission::model {
 
-/// The terms that several functions compute, as a struct that (d, u, q) make: a member for each
-/// step, and a function `put` that assigns the results which all of them have.
+/// The terms that several functions compute, as a struct constructed from (d, u, q): a member for
+/// each step, and a function `put` that assigns the results common to all functions.
 struct SharedTerms {
   std::string name;      ///< of the struct
-  std::string variable;  ///< that holds one
+  std::string variable;  ///< that holds the struct
   std::vector<std::string> doc;
-  std::set<std::string> functions;  ///< that compute them
+  std::set<std::string> functions;  ///< that use the terms
 };
 
 struct SharedTermsViews {
@@ -24,8 +24,8 @@ struct SharedTermsViews {
   cpp::View::List functions;
 };
 
-/// The functions, of which the last has the results and the names of all. They are parts of one
-/// program, and none computes a step that it does not need.
+/// The functions; the last one has the results and the names of all. They are parts of one program,
+/// and none computes a step that it does not need.
 [[nodiscard]] SharedTermsViews shared_terms_views(
     const SharedTerms& terms, const std::vector<NamingFunction>& functions,
     const program::SymbolOrder& order, const std::vector<equations::NamedQuantity>& known,

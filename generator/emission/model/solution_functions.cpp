@@ -23,15 +23,14 @@ std::string at(const std::string& vector, std::size_t row) {
 
 GiNaC::symbol symbol(const std::string& name) { return GiNaC::symbol(name); }
 
-/// Inputs that move the closures in one direction, such as x_B and, against it, x_E.
+/// Inputs that move the closures in one direction, such as x_B and, with opposite sense, x_E.
 struct InputDirection {
   const equations::Variable* variable;                             ///< the first of them
   std::vector<std::pair<const equations::Variable*, int>> inputs;  ///< with their senses
   Rows column;                                                     ///< d(closures)/d(variable)
 };
 
-/// Builds the functions of one model; every function names its own quantities after the common
-/// ones.
+/// Builds the functions of one model; each function names its own quantities after the common ones.
 class SolutionFunctions {
  public:
   explicit SolutionFunctions(const pivoting::StructuredJacobian& jacobian)
@@ -49,7 +48,7 @@ class SolutionFunctions {
   }
 
  private:
-  /// The inverse of the framed Jacobian, each entry with a name.
+  /// The inverse of the framed Jacobian, with a name for each entry.
   void find_gains() {
     for (std::size_t row = 0; row < closures_.row_count(); ++row) {
       Rows unit(closures_.row_count());
@@ -219,7 +218,7 @@ class SolutionFunctions {
     }
   }
 
-  /// Velocity alone, or velocity and acceleration, by substitution.
+  /// Velocity only, or velocity and acceleration, by substitution.
   [[nodiscard]] NamingFunction velocity(bool and_acceleration) const {
     NamingFunction result{
         {and_acceleration ? "motion" : "velocity",
@@ -250,7 +249,7 @@ class SolutionFunctions {
     return result;
   }
 
-  /// The part of an unknown's rate that the inputs' rates cause, by the sensitivities to them.
+  /// The part of an unknown's rate that is due to the inputs' rates, by the sensitivities to them.
   [[nodiscard]] GiNaC::ex followed(std::size_t unknown, GiNaC::symbol equations::Variable::*rate,
                                    const std::vector<Rows>& sensitivities) const {
     GiNaC::ex sum;

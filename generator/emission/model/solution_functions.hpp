@@ -1,4 +1,4 @@
-// Turns the structured Jacobian into the functions that solve for rates and sensitivities.
+// Functions that solve for rates and sensitivities by the structured Jacobian.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace assur::generator::emission::model {
 
-/// A function with its own vocabulary: the common quantities, and those that it alone names.
+/// A function with its vocabulary: the common quantities, and its own.
 struct NamingFunction {
   ModelFunction function;
   equations::Vocabulary vocabulary;

@@ -1,4 +1,4 @@
-// Turns a model's special points into the functions by which the runtime solves with them.
+// Functions by which the runtime solves with a model's special points.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace assur::generator::emission::model {
 
-/// Functions that read points and normals beside the model's variables.
+/// Functions that read points and normals besides the model's variables.
 struct SpecialPointFunctions {
   std::vector<ModelFunction> functions;
-  /// The symbols of points and normals, and the entry of a parameter that each one is: `S(0, 1)`.
+  /// The symbols of points and normals, and the entry of a parameter that holds each: `S(0, 1)`.
   std::vector<std::pair<GiNaC::symbol, std::string>> symbols;
 };
 
@@ -21,7 +21,7 @@ struct SpecialPointFunctions {
 [[nodiscard]] SpecialPointFunctions special_point_functions(
     const equations::ClosureEquations& equations, const special_points::SpecialPoints& special);
 
-/// What the special points are, one line per point, for reading; or why there are none.
+/// A description of the special points, one line each, or of the reason why there are none.
 [[nodiscard]] std::vector<std::string> special_point_lines(
     const equations::ClosureEquations& equations, const special_points::SpecialPoints& special);
 

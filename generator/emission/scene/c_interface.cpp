@@ -8,7 +8,7 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// All names begin with this. A keyword with a suffix is an ordinary name, so `class` stays.
+/// The prefix of all names. A keyword with a suffix is an ordinary name, so `class` is kept.
 std::string prefix_of(const std::string& stem) {
   std::string prefix = text::member_names({stem + "_"}, {}).front();
   if (prefix.back() == '_') {
@@ -31,7 +31,7 @@ bool stands(const cpp::View& view, const std::string& section) {
   return std::get<bool>(view.values().at(section));
 }
 
-/// The arguments of a solver, as the C functions take them and pass them on.
+/// The arguments of a solver, as the C functions take and forward them.
 void show_given(const std::string& prefix, const std::string& real, cpp::View& view) {
   std::string given;
   std::vector<std::string> defaults;
@@ -74,7 +74,7 @@ std::vector<cpp::EmittedFile> c_interface(const std::filesystem::path& header, c
   solver.set("is_float", real == "float");
   solver.set("interface", real == "double" ? "c" : "c-float");
   show_given(prefix, real, solver);
-  // C has no empty structures: points of which nothing is wanted are left out.
+  // C has no empty structures: points without wanted quantities are left out.
   const bool moves = stands(solver, "velocity") || stands(solver, "acceleration");
   const bool has_vectors = stands(solver, "position") || moves || stands(solver, "tolerances");
   const bool has_outputs = stands(solver, "has_outputs");

@@ -1,4 +1,4 @@
-// Turns the view of a solver into a C header, and the C++ that implements it by the C++ header.
+// The C header of a solver, and its implementation by the C++ header.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace assur::generator::emission::scene {
 
-/// `header`.h in C99 and `header`.cpp, beside the C++ header `header`.hpp. `solver`: the view that
-/// templates/scene.hpp.mustache shows; `parameters`: the names of the parameters to which
-/// derivatives are modelled; `branch_numbers`: how many numbers a branch has beside its status.
-/// `real`: the type of all numbers, double or float. Every name of the header begins with the
-/// scene's, so that several may be included and linked.
+/// `header`.h in C99 and `header`.cpp, beside the C++ header `header`.hpp. `solver`: the view of
+/// templates/scene.hpp.mustache; `parameters`: the names of the modelled parameters;
+/// `branch_numbers`: how many numbers a branch has besides its status. `real`: the type of all
+/// numbers, double or float. Every name of the header begins with the scene's, so that several may
+/// be included and linked.
 [[nodiscard]] std::vector<cpp::EmittedFile> c_interface(const std::filesystem::path& header,
                                                         cpp::View solver,
                                                         const std::vector<std::string>& parameters,

@@ -4,20 +4,20 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Rates as a row; nothing if none are wanted.
+/// Rates as a row; empty if none are wanted.
 OptionalExpression row_of(std::vector<cpp::Expression> rates) {
   return rates.empty() ? std::nullopt
                        : OptionalExpression(cpp::call(cpp::alias("Rates"), std::move(rates)));
 }
 
-/// A driver as statements read it.
+/// The position and rates of a driver in statements.
 struct DriverValue {
   cpp::Expression position;
-  OptionalExpression rates;  ///< nothing if none are wanted
-  SceneNumber law;           ///< how the position follows the parameters
+  OptionalExpression rates;  ///< empty if none are wanted
+  SceneNumber law;           ///< the position as a function of the parameters
 };
 
-/// An argument of the solver, or the formula of a law in the joints that it reads.
+/// An argument of the solver, or the formula of a law that reads joints.
 DriverValue driver_value(const SolverScene& solver, mechanism::DriverIndex index,
                          const FunctionBody& body) {
   if (solver.is_argument(index)) {

@@ -1,4 +1,4 @@
-// Turns links that others carry, and joints that laws read, into statements of a solver.
+// Statements that place links carried by others and find the joint coordinates that laws read.
 #pragma once
 
 #include <functional>
@@ -25,29 +25,29 @@ namespace assur::generator::emission::scene {
 /// A slide's displacement with its rates, if they are wanted.
 [[nodiscard]] cpp::Expression slide_of(const cpp::Expression& displacement,
                                        const OptionalExpression& rates);
-/// How far along its line a slide is, where the links stand.
+/// The displacement of a slide along its line, from the placed links.
 [[nodiscard]] cpp::Expression displacement(const SolverScene& solver, mechanism::JointIndex slide,
                                            FunctionBody& body);
-/// That of the second of two features along the line that one of them is.
+/// The displacement of the second of two features along the line that one of them is.
 [[nodiscard]] cpp::Expression displacement(const SolverScene& solver,
                                            const std::vector<mechanism::FeatureIndex>& between,
                                            FunctionBody& body);
 
-/// Declares the coordinates of the joints that a driver's law reads and that groups place, as far
-/// as `is_read` tells for their names.
+/// Declares the coordinates of the joints that a driver's law reads and that groups place, if
+/// `is_read` holds for their names.
 void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, FunctionBody& body,
                      const std::function<bool(const std::string&)>& is_read);
 /// Declares the coordinates of all joints that groups place and whose names are read.
 void add_joints_read(const SolverScene& solver, FunctionBody& body,
                      const std::function<bool(const std::string&)>& is_read);
-/// The statements of a function that runs once all links are placed, after the coordinates of
-/// joints that they read.
+/// The statements of a function that runs after all links are placed, preceded by the coordinates
+/// of joints that they read.
 [[nodiscard]] cpp::Block behind_joints_read(const SolverScene& solver, FunctionBody& body);
-/// The place to which a driver moves its joint.
+/// The position to which a driver moves its joint.
 [[nodiscard]] cpp::Expression driver_position(const SolverScene& solver,
                                               mechanism::DriverIndex driver,
                                               const FunctionBody& body);
-/// Places a link that another one carries. A slide that this moves is added to `slides`.
+/// Places a link that another one carries. A slide that moves with it is added to `slides`.
 void add_carried_link(const SolverScene& solver, const mechanism::CarriedLink& link,
                       FunctionBody& body, std::vector<std::string>& slides);
 

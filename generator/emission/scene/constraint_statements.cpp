@@ -10,8 +10,8 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// The most links that groups may place: for n links, J takes 8 * 3 n * (3 n + 2) bytes, and its
-/// factors as much again.
+/// The largest number of links that groups may place: for n links, J takes 8 * 3 n * (3 n + 2)
+/// bytes, and its factors as much again.
 constexpr std::size_t most_links = 16;
 
 class Constraints {
@@ -66,7 +66,7 @@ class Constraints {
     return solver_.is_ground(link) || stands_[link];
   }
 
-  /// Links that drivers place are fixed, so no pair needs a driver.
+  /// Links that drivers place are fixed, so drivers need no pair.
   void add_pairs() {
     for (const mechanism::HeldPair& pair :
          mechanism::held_pairs(solver_.mechanism(), solver_.plan.redundant())) {
@@ -89,12 +89,12 @@ class Constraints {
   [[nodiscard]] mechanism::LinkIndex link_of(mechanism::FeatureIndex feature) const {
     return solver_.mechanism().features()[feature].link;
   }
-  /// The place of a feature's link among those that move; -1 for a fixed link.
+  /// The index of a feature's link among the moving ones; -1 for a fixed link.
   [[nodiscard]] cpp::Expression place(mechanism::FeatureIndex feature) const {
     const auto found = std::ranges::find(moving_, link_of(feature));
     return cpp::word(found == moving_.end() ? "-1" : std::to_string(found - moving_.begin()));
   }
-  /// The frame of a feature: on its link, if that moves, and else in the fixed frame.
+  /// The frame of a feature: on its link if that moves, else in the fixed frame.
   [[nodiscard]] cpp::Expression frame(mechanism::FeatureIndex index) {
     const mechanism::Feature& feature = solver_.mechanism().features()[index];
     const LinkFeature<SceneNumber> at = solver_.numbers.feature(index, feature.is_line);

@@ -36,7 +36,7 @@ bool is_placed(const cpp::Expression& part, const std::string& member) {
 }
 
 /// Whether an expression is a row of rates that are assigned one by one, or contains a number as a
-/// rate: these rates do not all follow from arguments.
+/// rate: then not all rates follow from arguments.
 bool is_own_rate(const cpp::Expression& part) {
   const bool is_row = part.form == cpp::Expression::Form::member && part.text == "row" &&
                       part.parts[0].text == "rates";
@@ -49,7 +49,7 @@ bool is_own_rate(const cpp::Expression& part) {
 /// Whether an expression is `placed.drivers`.
 bool is_placed_drivers(const cpp::Expression& part) { return is_placed(part, "drivers"); }
 
-/// Fills the view that templates/scene.hpp.mustache shows.
+/// Fills the view of templates/scene.hpp.mustache.
 class SceneEmitter {
  public:
   explicit SceneEmitter(const mechanism::Scene& scene) : solver_(scene) {}
@@ -86,7 +86,7 @@ class SceneEmitter {
     view_.set("has_" + name, !block.empty());
     view_.set(name, shown(block));
   }
-  /// Statements of a function; they are kept to see what they use.
+  /// Statements of a function; kept to find what they use.
   [[nodiscard]] cpp::View::List shown(const cpp::Block& block) {
     statements_.insert(statements_.end(), block.begin(), block.end());
     return cpp::line_list(cpp::printed(block), "");
@@ -178,7 +178,7 @@ class SceneEmitter {
                                                 "Parameters<Scalar>& values");
   }
 
-  /// The names are written as the command takes them.
+  /// The names in the syntax of the command's option.
   [[nodiscard]] std::string variable_names() const {
     return cpp::comment_text(
         text::joined(solver_.variable, ",", [this](const VariableParameter& one) {
@@ -207,13 +207,13 @@ class SceneEmitter {
                      std::to_string(special.max_configurations) + " configurations");
   }
 
-  /// Words that follow the links of a group.
+  /// Text after the links of a group.
   [[nodiscard]] std::string relative_to(mechanism::GroupIndex group) const {
     const mechanism::LinkIndex base = solver_.group(group).base;
     return base.exists() ? ", relative to " + solver_.link_name(base) : "";
   }
 
-  /// Shows what a state holds, and what the search places.
+  /// Shows the contents of a state, and what the search places.
   void show_results() {
     std::vector<std::string> links;
     cpp::Block placed;
@@ -289,8 +289,8 @@ class SceneEmitter {
                                        !has_loop_groups && cpp::serves_packs(statements_)));
   }
 
-  /// For each group the groups that hold it, directly or through others, as a number with one bit
-  /// for each of these.
+  /// For each group the groups that hold it, directly or through others, as an integer with one bit
+  /// for each.
   [[nodiscard]] std::vector<std::string> holders() const {
     const auto& groups = solver_.plan.structure().groups;
     std::vector<std::uint64_t> sets;
@@ -307,9 +307,9 @@ class SceneEmitter {
     return numbers;
   }
 
-  /// The place of the first entry of the solver's key that may differ. If the only group has two
-  /// links, in frames parallel to their normal frames, the cosine of their angle is at the places 0
-  /// to 2 and its sine at 3.
+  /// The index of the first entry of the solver's key that may differ. If the only group has two
+  /// links, in frames parallel to their normal frames, the cosine of their angle has the indices 0
+  /// to 2 and its sine 3.
   [[nodiscard]] std::size_t order_key(mechanism::GroupIndex group,
                                       const SpecialisedGroup& special) const {
     const auto& links = solver_.numbers.group(group).links;
@@ -321,7 +321,7 @@ class SceneEmitter {
     return is_alone && in_line && special.first_key == 1 ? 3 : 0;
   }
 
-  /// Shows how configurations are told apart.
+  /// Shows how configurations are distinguished.
   void show_order() {
     const mechanism::NamedParts parts = solver_.plan.structure().named_parts(solver_.mechanism());
     std::vector<std::string> moving;
@@ -388,8 +388,8 @@ class SceneEmitter {
     view_.set("aliases", cpp::line_list(lines, ""));
   }
 
-  /// Shows the angles that tell one configuration from the others, if their links are reported. The
-  /// angles of a drawing are those of all its links, and reported ones have to do.
+  /// Shows the angles that distinguish one configuration from the others, if their links are
+  /// reported. A drawing gives the angles of all links; only the reported ones are available.
   void show_reference() {
     const mechanism::Request& request = solver_.plan.request();
     std::vector<std::string> names;

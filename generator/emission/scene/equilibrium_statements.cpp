@@ -77,18 +77,18 @@ class EquilibriumStatements {
   void call(const std::string& function, std::vector<cpp::Expression> arguments) {
     body_.add(cpp::called(all_.member(function).at(std::move(arguments))));
   }
-  /// The number of a link among the moving ones; -1 for the ground.
+  /// The index of a link among the moving ones; -1 for the ground.
   [[nodiscard]] cpp::Expression place_of(LinkIndex link) const {
     const auto found = std::ranges::find(moving_, link);
     return cpp::word(found == moving_.end() ? "-1" : std::to_string(found - moving_.begin()));
   }
-  /// The links and the places of two features, as arguments.
+  /// The links and the positions of two features, as arguments.
   [[nodiscard]] std::vector<cpp::Expression> between(FeatureIndex first,
                                                      FeatureIndex second) const {
     return {place_of(link_of(first)), place_of(link_of(second)), pose_of(solver_, first, body_),
             pose_of(solver_, second, body_)};
   }
-  /// The unknown by which a pair holds a coordinate.
+  /// The unknown force component by which a pair constrains a coordinate.
   [[nodiscard]] std::size_t unknown(std::size_t pair, int coordinate) const {
     const auto& holds = pairs_[pair].holds;
     return first_[pair] +
@@ -128,7 +128,7 @@ class EquilibriumStatements {
     call("hold", std::move(arguments));
   }
 
-  /// A driver whose law reads joints acts at these, too.
+  /// A driver whose law reads joints also loads these joints.
   void pass_on(std::size_t pair) {
     const mechanism::DriverIndex driver = pairs_[pair].driver;
     const mechanism::NumberIndex law = solver_.mechanism().drivers()[driver].position;
@@ -152,7 +152,7 @@ class EquilibriumStatements {
     }
   }
 
-  /// The force of the bearings of a pair on its second link; a driver's effort is not in it.
+  /// The bearing force of a pair on its second link, without a driver's effort.
   [[nodiscard]] cpp::Expression force_of(std::size_t pair) const {
     const HeldPair& held = pairs_[pair];
     const bool drives_along = held.driver.exists() && held.driven == 0;

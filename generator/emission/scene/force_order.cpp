@@ -15,7 +15,7 @@ bool has(const std::vector<LinkIndex>& links, LinkIndex link) {
   return std::ranges::find(links, link) != links.end();
 }
 
-/// Takes one step after the other as soon as all is known that acts on its links.
+/// Takes each step as soon as all other loads on its links are known.
 class ForceOrder {
  public:
   ForceOrder(const mechanism::Mechanism& mechanism, const mechanism::Structure& structure)

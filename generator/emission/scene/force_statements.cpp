@@ -26,14 +26,14 @@ using mechanism::LinkIndex;
 struct Reaction {
   LinkIndex on;           ///< the link on which it acts; the opposite one acts on the other
   cpp::Expression force;  ///< without the effort of a driver
-  /// The couple on that link, with the force at a place; empty for a pin.
+  /// The couple on that link, with the force at a point; empty for a pin.
   std::function<cpp::Expression(const cpp::Expression&)> couple_about;
 };
 
 cpp::Expression place_word(std::size_t place) { return cpp::word(place); }
 
-/// Writes the function step by step: loads, groups and drivers from the far ends to the ground, and
-/// then the members of the state.
+/// Writes the function step by step: loads, then groups and drivers from the far ends to the
+/// ground, then the members of the state.
 class ForceStatements {
  public:
   explicit ForceStatements(const SolverScene& solver)
@@ -165,7 +165,7 @@ class ForceStatements {
     pass_on(link.driver, effort);
   }
 
-  /// A driver whose law reads joints acts at these, too.
+  /// A driver whose law reads joints also loads these joints.
   void pass_on(mechanism::DriverIndex driver, const cpp::Expression& effort) {
     const mechanism::NumberIndex law = solver_.mechanism().drivers()[driver].position;
     const std::vector<JointIndex> read = solver_.mechanism().numbers()[law].formula.joints();
@@ -238,7 +238,7 @@ class ForceStatements {
     }
   }
 
-  /// A slot acts on its pin through a block without mass: across the line, if no driver pushes the
+  /// A slot acts on its pin through a massless block: across the line, if no driver pushes the
   /// block along it.
   void tell_slot(JointIndex index, LinkIndex second, const cpp::Expression& target) {
     const FeatureIndex line = between(index)[is_line(between(index)[0]) ? 0 : 1];
@@ -246,8 +246,8 @@ class ForceStatements {
       const mechanism::ElementaryJoint& at = solver_.joint(one);
       if (at.prismatic == solver_.mechanism().driver_of(index).exists()) {
         const Reaction& reaction = reactions_.at(one);
-        // Of a pin, the reaction is on the pin's link or on the block, of a slide on the line's
-        // link or on the block.
+        // The reaction of the pin acts on the pin's link or on the block, that of the slide on the
+        // line's link or on the block.
         const LinkIndex outside = at.prismatic ? link_of(line) : link_of(pin_of(index));
         const bool acts_on_outside = reaction.on == outside;
         const bool tells_outside = second == outside;

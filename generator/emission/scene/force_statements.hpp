@@ -1,4 +1,4 @@
-// Turns a scene's masses, loads and springs into the statements that find the forces in its joints.
+// Statements that find the joint forces of a scene group by group.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 namespace assur::generator::emission::scene {
 
 /// Statements that fill the efforts and forces of a state group by group, where all groups are
-/// regular; none where no forces are wanted, or constraints are redundant.
+/// regular; empty if no forces are wanted, or constraints are redundant.
 [[nodiscard]] cpp::Block force_statements(const SolverScene& solver);
 
 /// Shows the members of a state for efforts and forces.

@@ -13,7 +13,7 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// A product without its sign, and the sign. The text decides the order among terms and factors.
+/// A product without its sign, and the sign. Terms and factors are sorted by text.
 struct Signed {
   bool negative;
   cpp::Expression value;
@@ -24,7 +24,7 @@ class FormulaReader {
  public:
   explicit FormulaReader(const SymbolExpressions& symbols) : symbols_(symbols) {}
 
-  /// A sum: first the terms that are added, then those that are subtracted, in the order of texts.
+  /// A sum: first the terms that are added, then those that are subtracted, sorted by text.
   [[nodiscard]] Signed sum(const GiNaC::ex& formula) const { return joined(terms_of(formula)); }
 
   /// A sum as a factor: its sign is that of the term whose text comes first. GiNaC's own choice
@@ -46,7 +46,7 @@ class FormulaReader {
     return signed_sum.negative ? cpp::negative(signed_sum.value) : signed_sum.value;
   }
 
-  /// A symbol that stands for no other expression is a variable of its name.
+  /// A symbol without an expression is a variable of its name.
   [[nodiscard]] cpp::Expression symbol(const GiNaC::ex& symbol) const {
     const std::string name = GiNaC::ex_to<GiNaC::symbol>(symbol).get_name();
     const auto found = symbols_.find(name);
@@ -186,7 +186,7 @@ class FormulaReader {
       return cpp::parentheses(inner.value);
     }
 
-    /// The base of a power. If the exponent is whole, GiNaC's choice of its sign is replaced.
+    /// The base of a power. With an integer exponent, GiNaC's choice of its sign is replaced.
     cpp::Expression power_base(const GiNaC::ex& base, const GiNaC::ex& exponent) {
       if (!exponent.info(GiNaC::info_flags::integer)) {
         return reader_.whole(base);
@@ -209,7 +209,7 @@ class FormulaReader {
 }  // namespace
 
 bool is_constant(const GiNaC::ex& formula) {
-  // The evaluation may lose a symbol whose terms cancel by rounding alone.
+  // Evaluation may lose a symbol whose terms cancel only by rounding.
   const bool has_symbol =
       std::any_of(formula.preorder_begin(), formula.preorder_end(),
                   [](const GiNaC::ex& part) { return GiNaC::is_a<GiNaC::symbol>(part); });

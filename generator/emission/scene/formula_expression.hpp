@@ -1,4 +1,4 @@
-// Turns formulas in a scene's symbols into expressions of emitted functions.
+// Formulas in a scene's symbols as expressions of emitted functions.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -10,14 +10,14 @@
 
 namespace assur::generator::emission::scene {
 
-/// The expressions that symbols stand for, by the names of the symbols.
+/// Expressions in place of symbols, by the names of the symbols.
 using SymbolExpressions = std::map<std::string, cpp::Expression>;
 
 /// Whether a formula contains no symbols and has a value.
 [[nodiscard]] bool is_constant(const GiNaC::ex& formula);
 
-/// The formula as an expression whose terms and factors are in an order that depends on the formula
-/// alone. A symbol that stands for no expression is a variable of its name.
+/// The formula as an expression whose terms and factors have an order that depends only on the
+/// formula. A symbol without an expression is a variable of its name.
 [[nodiscard]] cpp::Expression expression_of(const GiNaC::ex& formula,
                                             const SymbolExpressions& symbols);
 

@@ -1,4 +1,4 @@
-// Turns places on links, with their derivatives to the modelled parameters, into statements.
+// Builds the statements of a solver's function: points and frames with derivatives and rates.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@
 
 namespace assur::generator::emission::scene {
 
-/// The parameters of a scene to which derivatives are modelled.
+/// The modelled parameters of a scene, by which derivatives are emitted.
 class ModelledParameters {
  public:
   /// The parameters are given by their columns among the derivatives of the scene's values.
@@ -32,7 +32,7 @@ class ModelledParameters {
   std::vector<std::string> names_;
 };
 
-/// An expression, or nothing where a frame is the one that contains it, or a row is zero.
+/// An expression; empty for a frame that is that of its parent, or a zero row.
 using OptionalExpression = std::optional<cpp::Expression>;
 
 /// The statements of one function, with constants declared as they are needed.
@@ -50,7 +50,7 @@ class FunctionBody {
     return cpp::declares(statements_, variable);
   }
   [[nodiscard]] std::size_t size() const { return statements_.size(); }
-  /// Takes out the statements from the given number on.
+  /// Removes and returns the statements from the given index on.
   [[nodiscard]] cpp::Block take_from(std::size_t first);
   /// The variables that statements read, and those that the roots in them read.
   [[nodiscard]] std::set<std::string> variables_read(const cpp::Block& statements) const;
@@ -63,27 +63,26 @@ class FunctionBody {
   /// `{cos, sin}`.
   [[nodiscard]] cpp::Expression direction(const Direction<SceneNumber>& direction) const;
 
-  /// An expression for the point at (x, y) of a frame, or of the ground's without a frame; `name`
-  /// is for a declaration, if it needs one.
+  /// An expression for the point at (x, y) of a frame, or of the ground if there is none; `name` is
+  /// used if it needs a declaration.
   [[nodiscard]] cpp::Expression point(const std::string& name, const OptionalExpression& frame,
                                       const SceneNumber& x, const SceneNumber& y);
-  /// An expression for a frame on a link, in the same way; nothing for the link's own frame.
+  /// An expression for a frame on a link, likewise; empty for the link's own frame.
   [[nodiscard]] OptionalExpression frame(const std::string& name, const Pose<SceneNumber>& pose);
-  /// The derivatives of a number or of a direction's angle, as a declared row; nothing if all are
-  /// 0.
+  /// The derivatives of a number or of a direction's angle, as a declared row; empty if all are 0.
   template <typename Quantity>
   [[nodiscard]] OptionalExpression gradient(const std::string& name, const Quantity& quantity) {
     return declared_gradient(name, gradient_of(quantity));
   }
-  /// The rates of a number or of a direction's angle that moves with drivers, as a row; nothing
-  /// where it does not, or none are wanted.
+  /// The rates of a number or of a direction's angle that moves with drivers, as a row; empty if it
+  /// does not move or no rates are wanted.
   template <typename Quantity>
   [[nodiscard]] OptionalExpression rates(const Quantity& quantity) const {
     return moves(quantity) && order_ > 0
                ? OptionalExpression(rates_of(numbers_.rates(quantity, order_)))
                : std::nullopt;
   }
-  /// A variable with a name like this, which no other local of the function has.
+  /// A local variable with this name, made unique within the function.
   [[nodiscard]] cpp::Expression local(const std::string& name);
 
  private:
@@ -93,7 +92,7 @@ class FunctionBody {
   [[nodiscard]] static bool is_zero(const Gradient& gradient);
   [[nodiscard]] OptionalExpression declared_gradient(const std::string& name,
                                                      const Gradient& gradient);
-  /// Assigns the derivatives that are not zero to an entry each, behind these places of the target.
+  /// Assigns each derivative that is not zero to its entry of the target after these indices.
   void add_gradient(const cpp::Expression& target, const std::vector<cpp::Expression>& places,
                     const Gradient& gradient);
   void add_gradients(const cpp::Expression& target, const std::vector<Gradient>& rows);
@@ -120,7 +119,7 @@ class FunctionBody {
   int locals_ = 0;
 };
 
-/// Frames, each in the one before it, from the outermost; those that are nothing are skipped.
+/// Frames, each in the one before it, from the outermost; empty ones are skipped.
 [[nodiscard]] cpp::Expression nested_frames(const std::vector<OptionalExpression>& frames);
 
 }  // namespace assur::generator::emission::scene

@@ -6,7 +6,7 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// The direction of the link that has a feature; nothing for the ground.
+/// The direction of the link that has a feature; empty for the ground.
 OptionalExpression direction_of_link(const SolverScene& solver, mechanism::FeatureIndex feature) {
   const mechanism::LinkIndex link = solver.mechanism().features()[feature].link;
   const bool whole = solver.needs[link] == FrameNeed::everything;

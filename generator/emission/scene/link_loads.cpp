@@ -10,7 +10,7 @@ using mechanism::FeatureIndex;
 using mechanism::LinkIndex;
 using mechanism::NumberIndex;
 
-/// Its force is not a number where the ends coincide; all links together are solved there.
+/// Its force is NaN where the ends coincide; there all links are solved together.
 const cpp::Name directed_pull = cpp::scalar_only("support::directed_pull");
 
 cpp::Expression vector(cpp::Expression x, cpp::Expression y) {
@@ -214,7 +214,7 @@ void LinkLoads::add_load(const mechanism::Load& load) {
 void LinkLoads::add_spring(const mechanism::Spring& spring) {
   std::vector<cpp::Expression> given = {place(spring.between[0]), place(spring.between[1]),
                                         value(spring.stiffness)};
-  // A spring of the length zero without a damper needs no direction.
+  // A spring of zero free length without a damper needs no direction.
   const bool is_directed =
       (counts(spring.stiffness) && counts(spring.rest)) || counts(spring.damping);
   if (is_directed) {
@@ -247,7 +247,7 @@ void LinkLoads::add_joint_spring(const mechanism::Spring& spring) {
     }
   }
   const cpp::Expression coordinate = body_.local("coordinate_of_" + spring.name);
-  // A redundant joint has its features still, though none of the joints may have them.
+  // The features of a redundant joint exist, though no joint may use them.
   const bool turns = std::ranges::none_of(
       between, [&](FeatureIndex feature) { return mechanism.features()[feature].is_line; });
   const mechanism::DriverIndex driver =

@@ -6,7 +6,7 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// The values of those members of a part of a state that are wanted: `{pose, velocity}`.
+/// The values of the wanted members of a part of a state: `{pose, velocity}`.
 cpp::Expression state_of(const mechanism::Want& want, const cpp::Expression& position,
                          const cpp::Expression& rates,
                          const std::vector<cpp::Expression>& more = {}) {

@@ -1,4 +1,4 @@
-// Turns placed links, slides and outputs into the statements that fill a state.
+// Statements that fill a state from placed links, slides and outputs.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace assur::generator::emission::scene {
 
-/// Fills a state from the placed links, and from the slides with these members.
+/// Fills a state from the placed links and the slides with these members.
 [[nodiscard]] cpp::Block listing_statements(const SolverScene& solver,
                                             const std::vector<std::string>& slides);
 

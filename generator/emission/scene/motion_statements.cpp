@@ -19,11 +19,11 @@ using mechanism::DriverIndex;
 using mechanism::LinkIndex;
 using mechanism::OutputIndex;
 
-/// A few numbers, of which there are rates: a frame, a point, or the coordinate of a joint.
+/// A few numbers with rates: a frame, a point, or the coordinate of a joint.
 struct Rated {
-  std::size_t first;    ///< the place of the first number among all
+  std::size_t first;    ///< the index of the first number among all
   std::size_t numbers;  ///< 3, 2 or 1
-  /// `<0, 3>`, by which functions take them from the list of all
+  /// `<0, 3>`, the template arguments that select them from the list of all.
   [[nodiscard]] std::string range() const {
     return "<" + std::to_string(first) + ", " + std::to_string(numbers) + ">";
   }
@@ -66,7 +66,7 @@ class MotionStatements {
   [[nodiscard]] LinkIndex link_of(mechanism::FeatureIndex feature) const {
     return solver_.mechanism().features()[feature].link;
   }
-  /// Adds statements that list rates.
+  /// Adds statements that list the rates.
   Rated rated(const cpp::Expression& rates, std::size_t numbers) {
     const Rated result{rated_numbers_, numbers};
     rates_.add(cpp::called(cpp::call("support::put_rates<" + std::to_string(result.first) + ">",

@@ -1,5 +1,4 @@
-// Turns the motions of a scene along the coordinates of its drivers into the statements that fill
-// the kinematic coefficients and the equations of motion of a state.
+// Statements that fill the kinematic coefficients and the equations of motion of a state.
 #pragma once
 
 #include "emission/cpp/page.hpp"
@@ -7,8 +6,8 @@
 
 namespace assur::generator::emission::scene {
 
-/// Shows the functions by which a solver computes the coefficients and the dynamics that a scene
-/// wants, and the members that hold these. Returns the statements of the functions.
+/// Shows the functions that compute the coefficients and the dynamics that a scene wants, and their
+/// members in the state. Returns the statements of the functions.
 [[nodiscard]] cpp::Block show_motions(const SolverScene& solver, cpp::View& view);
 
 }  // namespace assur::generator::emission::scene

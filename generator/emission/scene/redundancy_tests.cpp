@@ -11,9 +11,9 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Where the features of joints are on their links: where all links stand at the origin, no other
-/// length tells what rounding is. Those that do not change are one place with the largest
-/// coordinates.
+/// The positions of the joints' features on their links. Where all links stand at the origin, no
+/// other length gives a scale for rounding. Those that do not change are replaced by one point with
+/// the largest coordinates.
 std::vector<cpp::Expression> own_places(const SolverScene& solver, const FunctionBody& body) {
   std::vector<cpp::Expression> places;
   const auto add = [&places](const cpp::Expression& x, const cpp::Expression& y) {
@@ -36,9 +36,9 @@ std::vector<cpp::Expression> own_places(const SolverScene& solver, const Functio
 
 cpp::Name maximum() { return cpp::scalar_only("(std::max)"); }
 
-/// Expressions for how far redundant joints are from holding. `body` gets the poses of their
-/// features, the largest coordinate of these and of the links' origins as `size`, and the largest
-/// of that and of the features' coordinates on their links as `reach`.
+/// Expressions for the errors of the redundant joints. `body` gets the poses of their features, the
+/// largest coordinate of these and of the links' origins as `size`, and the largest of that and of
+/// the features' coordinates on their links as `reach`.
 std::vector<cpp::Expression> gaps(const SolverScene& solver, FunctionBody& body) {
   std::vector<cpp::Expression> gaps;
   std::vector<cpp::Expression> poses;

@@ -1,4 +1,4 @@
-// Turns the redundant joints of a scene into the tests of its solver once all links are placed.
+// Tests of a solver whether the redundant joints hold once all links are placed.
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ namespace assur::generator::emission::scene {
 [[nodiscard]] std::vector<cpp::Expression> redundancy_tests(const SolverScene& solver,
                                                             FunctionBody& body);
 
-/// Statements that return how far the worst redundant joint is from holding, relative to the
-/// largest coordinate; none without redundant joints, and none if the scene states a tolerance.
+/// Statements that return the largest error of the redundant joints, relative to the largest
+/// coordinate; empty without redundant joints, and if the scene states a tolerance.
 [[nodiscard]] cpp::Block redundant_gap(const SolverScene& solver);
 
 }  // namespace assur::generator::emission::scene

@@ -1,4 +1,4 @@
-// Turns a scene into the poses of its links in one configuration.
+// Poses of a scene's links in its first configuration.
 #pragma once
 
 #include <assur/mechanism/plan.hpp>

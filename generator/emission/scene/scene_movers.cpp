@@ -20,7 +20,7 @@ bool SceneMovers::names_rates(const Root& root) const {
 /// Roots without names for their rates are differentiated through their radicands.
 template <typename Visit>
 void SceneMovers::visit(const GiNaC::ex& formula, const Visit& visit) const {
-  GiNaC::exmap standing;  // named roots to symbols that nothing moves
+  GiNaC::exmap standing;  // named roots to symbols without movers
   for (const Root& root : symbols_.roots()) {
     if (formula.has(root.symbol) && names_rates(root)) {
       visit(formula.diff(root.symbol), root.velocity, root.acceleration);

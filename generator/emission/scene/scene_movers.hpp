@@ -1,4 +1,4 @@
-// Turns what moves a solver's links into the rates and derivatives of formulas.
+// Rates and derivatives of formulas through the quantities that move a solver's links.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -10,13 +10,13 @@
 
 namespace assur::generator::emission::scene {
 
-/// A driver whose position is an argument, a joint that a law reads and groups place, a
-/// coordinate of a link in the frame of the link relative to which its group is solved, a parameter
-/// with rates, or a law that reads joints and has rates of its own.
+/// A driver whose position is an argument, a joint that a law reads and groups place, a coordinate
+/// of a link in the frame relative to which its group is solved, a parameter with rates, or a law
+/// that reads joints and has rates of its own.
 struct Mover {
   GiNaC::symbol position, velocity, acceleration;
   mechanism::ParameterIndex parameter;  ///< exists only for a parameter with rates
-  std::vector<GiNaC::ex> gradient;      ///< to the modelled parameters; empty where rates are given
+  std::vector<GiNaC::ex> gradient;      ///< by the modelled parameters; empty if rates are given
 };
 
 class SceneMovers {
@@ -29,13 +29,13 @@ class SceneMovers {
 
   /// Whether the movers change the value of a formula.
   [[nodiscard]] bool move(const GiNaC::ex& formula) const;
-  /// Whether a root moves with more than parameters, so that its rates are no numbers. They then
-  /// have names, as formulas of nested roots would otherwise grow with the square of their number.
+  /// Whether a root moves with more than parameters, so that its rates are not numbers. They then
+  /// have names: formulas of nested roots would grow with the square of their number.
   [[nodiscard]] bool names_rates(const Root& root) const;
-  /// The derivatives in time.
+  /// The time derivatives.
   [[nodiscard]] GiNaC::ex rate(const GiNaC::ex& formula) const;
   [[nodiscard]] GiNaC::ex second_rate(const GiNaC::ex& formula) const;
-  /// The derivative to a modelled parameter, given by its column, through the movers.
+  /// The derivative with respect to a modelled parameter, given by its column, through the movers.
   [[nodiscard]] GiNaC::ex slope(const GiNaC::ex& formula, std::size_t column) const;
 
  private:

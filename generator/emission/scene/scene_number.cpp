@@ -41,7 +41,7 @@ std::string symbols_in(const SceneNumber& number) {
   return text::listed({names.begin(), names.end()});
 }
 
-/// The base, of either sign, of a formula that is a square; nothing for any other formula.
+/// The base, of either sign, of a formula that is a square; empty for any other formula.
 std::optional<GiNaC::ex> squared(const GiNaC::ex& formula) {
   const GiNaC::ex factored =
       formula.info(GiNaC::info_flags::polynomial) ? GiNaC::factor(formula) : formula;
@@ -106,7 +106,7 @@ GiNaC::ex evaluated_larger(const GiNaC::ex& a, const GiNaC::ex& b) {
   return !is_number(a) || !is_number(b) ? larger_of(a, b).hold() : bool(a < b) ? b : a;
 }
 
-/// The derivative of a choice by an argument: 1 for the one that is chosen, by the sense of a
+/// The derivative of a choice with respect to an argument: 1 for the chosen one, by the sign of a
 /// difference, and 0 for the other.
 GiNaC::ex chosen(const GiNaC::ex& for_first, unsigned argument) {
   return (1 + (argument == 0 ? 1 : -1) * sense_of(for_first)) / 2;
@@ -178,7 +178,7 @@ GiNaC::ex SceneSymbols::derivative(const GiNaC::ex& formula, const GiNaC::symbol
 
 SceneNumber::SceneNumber(mechanism::Dual number, GiNaC::ex formula, SceneSymbols& symbols)
     : number_(std::move(number)) {
-  if (is_constant(formula)) {  // so it follows none of the symbols
+  if (is_constant(formula)) {  // so it depends on none of the symbols
     number_ = mechanism::Dual(GiNaC::ex_to<GiNaC::numeric>(formula.evalf()).to_double());
   } else {
     formula_ = std::move(formula);

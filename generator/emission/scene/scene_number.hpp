@@ -1,4 +1,4 @@
-// Turns arithmetic on the numbers of a scene into numbers with formulas in its variable parameters.
+// Numbers of a scene with formulas in its variable parameters, and their arithmetic.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -8,11 +8,11 @@
 
 namespace assur::generator::emission::scene {
 
-/// A square root in formulas, which has a symbol of its own so that they stay short.
+/// A square root in formulas, with its own symbol to keep them short.
 struct Root {
   GiNaC::symbol symbol;
-  GiNaC::ex radicand;                    ///< in symbols that were made earlier
-  GiNaC::symbol velocity, acceleration;  ///< names of its rates in time, where these are used
+  GiNaC::ex radicand;                    ///< in symbols that were created earlier
+  GiNaC::symbol velocity, acceleration;  ///< names of its rates, where used
 };
 
 /// The symbols of a scene's formulas, and their values at the scene's own numbers.
@@ -21,12 +21,12 @@ class SceneSymbols {
   void add(const GiNaC::symbol& symbol, const GiNaC::ex& value) { values_[symbol] = value; }
   /// The symbol of a root; the same for the same radicand.
   [[nodiscard]] GiNaC::ex root_of(const GiNaC::ex& radicand);
-  /// The roots are in the order in which they depend on one another.
+  /// The roots, each after those in its radicand.
   [[nodiscard]] const std::deque<Root>& roots() const { return roots_; }
   [[nodiscard]] GiNaC::ex value_of(const GiNaC::ex& formula) const;
   /// The formula with each symbol of a root replaced by the root.
   [[nodiscard]] GiNaC::ex written_out(const GiNaC::ex& formula) const;
-  /// The derivative by a symbol that is not that of a root, through the roots.
+  /// The derivative with respect to a symbol other than that of a root, through the roots.
   [[nodiscard]] GiNaC::ex derivative(const GiNaC::ex& formula, const GiNaC::symbol& symbol) const;
 
  private:
@@ -34,12 +34,13 @@ class SceneSymbols {
   std::deque<Root> roots_;
 };
 
-/// A number of a scene with its derivatives and, where it depends on symbols, its formula in them.
+/// A number of a scene with its derivatives and, if it depends on symbols, its formula in them.
 /// Values are those of mechanism::Dual, operation by operation, so that decisions by value are the
 /// same as in `mechanism`.
 ///
 /// The square root of a square is the base, with the sign that makes it positive at the scene's own
-/// numbers. So a link's length is the parameter that gives it, and the link's normal frame turns
+/// numbers. So a link's length is the parameter that gives it, and the link's normal frame turns by
+/// pi where that parameter becomes negative.
 /// round where that parameter becomes negative.
 class SceneNumber {
  public:
@@ -70,7 +71,7 @@ class SceneNumber {
   SceneSymbols* symbols_ = nullptr;
 };
 
-/// Whether the number may have other values, too.
+/// Whether the number may take other values.
 [[nodiscard]] inline bool may_change(const SceneNumber& number) { return number.has_formula(); }
 
 SceneNumber operator-(const SceneNumber& a);
@@ -93,14 +94,14 @@ SceneNumber max(const SceneNumber& a, const SceneNumber& b);
 SceneNumber pow(const SceneNumber& a, double exponent);
 SceneNumber pow(const SceneNumber& a, const SceneNumber& b);
 
-/// The derivative of a^b, by a and by b as often as the third and the fourth argument say; with a
-/// constant exponent it is a power of GiNaC, as long as it is not differentiated by the exponent.
+/// The derivative of a^b, by a and by b as often as the third and fourth argument state; with a
+/// constant exponent it is a power of GiNaC unless it is differentiated by the exponent.
 // The macro is GiNaC's.
 DECLARE_FUNCTION_4P(power_derivative)  // NOLINT
 
-/// 1 for an argument that is not negative, else -1: by which corners choose their side.
+/// 1 for an argument that is not negative, else -1; corners choose their side by it.
 DECLARE_FUNCTION_1P(sense_of)  // NOLINT
-/// The absolute value, the smaller and the larger of two numbers; of two equal ones the first.
+/// The absolute value, and the smaller and the larger of two numbers; if equal, the first.
 DECLARE_FUNCTION_1P(absolute)    // NOLINT
 DECLARE_FUNCTION_2P(smaller_of)  // NOLINT
 DECLARE_FUNCTION_2P(larger_of)   // NOLINT

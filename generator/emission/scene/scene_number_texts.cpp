@@ -1,4 +1,4 @@
-// Turns numbers of a scene, their rates and their slopes into the expressions that compute them.
+// Expressions that compute numbers of a scene, their rates and their derivatives.
 #include <algorithm>
 
 #include "emission/scene/formula_expression.hpp"
@@ -81,7 +81,7 @@ cpp::Expression SceneNumbers::expression(const SceneNumber& number) const {
 GiNaC::ex SceneNumbers::at_run_time(const GiNaC::ex& formula) const {
   GiNaC::ex result = formula;
   for (GiNaC::ex before = result + 1; !result.is_equal(before);) {
-    before = result;  // given rates may hold those of others
+    before = result;  // given rates may contain the rates of others
     result = result.subs(own_rates_);
   }
   const std::deque<Root>& roots = symbols_.roots();

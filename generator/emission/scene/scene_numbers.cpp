@@ -12,7 +12,7 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// Whether rates are wanted, and the rates of parameters move features, centres of mass, or drivers
+/// Whether rates are wanted, and parameters with rates move features, centres of mass, or drivers
 /// whose laws read joints.
 bool have_rates_of_parameters(const mechanism::Plan& plan) {
   const mechanism::Want& want = plan.request().want;
@@ -141,7 +141,7 @@ void SceneNumbers::evaluate(mechanism::ParameterIndex parameter) {
   }
 }
 
-/// Zero, with the derivative one to the parameter itself.
+/// Zero, with derivative one by the parameter itself.
 mechanism::Dual SceneNumbers::deviation(mechanism::ParameterIndex parameter) const {
   const std::vector<mechanism::ParameterIndex>& columns = values_.columns();
   Eigen::VectorXd gradient = Eigen::VectorXd::Zero(std::ssize(columns));
@@ -192,7 +192,7 @@ void SceneNumbers::set_rates(mechanism::DriverIndex driver) {
 }
 
 LinkFeature<SceneNumber> SceneNumbers::feature(mechanism::FeatureIndex index, bool is_line) const {
-  if (!index.exists()) {  // of a block
+  if (!index.exists()) {  // a block's feature
     return {is_line, SceneNumber(), SceneNumber(), {}};
   }
   const mechanism::Feature& feature = plan_.mechanism().features()[index];
@@ -269,7 +269,7 @@ void SceneNumbers::add_coordinate(
   if (const mechanism::DriverIndex driver = plan_.mechanism().driver_of(joint); driver.exists()) {
     coordinates_[joint] = positions_[driver];
   } else if (!coordinates_[joint]) {
-    // Where the joint is depends on the configuration: any number will do.
+    // The coordinate depends on the configuration, so any number will do.
     const cpp::Expression coordinate = cpp::variable("joint_" + joints[joint]);
     const cpp::Expression rates = coordinate.member("rates");
     Mover mover = this->mover(coordinate.member("position"), rates.at({cpp::word(0U)}),
@@ -289,7 +289,7 @@ SceneNumber SceneNumbers::loading(mechanism::NumberIndex number) const {
       [this](mechanism::JointIndex joint) -> const SceneNumber& { return *coordinates_[joint]; });
 }
 
-/// Another symbol stands for each joint, as the coordinates of several may follow one driver.
+/// Each joint gets a symbol of its own, as the coordinates of several may follow one driver.
 SceneNumber SceneNumbers::slope(mechanism::DriverIndex driver, mechanism::JointIndex joint) const {
   const mechanism::Formula& law =
       plan_.mechanism().numbers()[plan_.mechanism().drivers()[driver].position].formula;

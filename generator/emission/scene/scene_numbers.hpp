@@ -1,4 +1,4 @@
-// Turns a scene's parameters and formulas into numbers with formulas in the parameters that vary.
+// Parameters and derived numbers of a scene, with formulas in the parameters that vary.
 #pragma once
 
 #include <ginac/ginac.h>
@@ -14,19 +14,19 @@
 
 namespace assur::generator::emission::scene {
 
-/// An expression for each modelled parameter; none where the derivative is zero.
+/// An expression for each modelled parameter; empty where the derivative is zero.
 using Gradient = std::vector<std::optional<cpp::Expression>>;
 
-/// The numbers that a solver is made from. Those that depend on parameters that vary at run time
+/// The numbers of which a solver consists. Those that depend on parameters that vary at run time
 /// have formulas.
 class SceneNumbers {
  public:
-  /// `variable`: the parameters that vary, each with its expression; `modelled`: the columns of
-  /// the parameters to which derivatives are modelled; `drivers` and `joints`: the members that
-  /// stand for them; `relative`: for each link whose group is solved relative to a moving link, the
-  /// member for its frame. Throws MechanismError for a length that variable parameters change and
-  /// that is zero at the scene's own numbers, and if groups are solved relative to moving links but
-  /// the scene has no configuration at its own numbers.
+  /// `variable`: the parameters that vary, each with its expression; `modelled`: the columns of the
+  /// modelled parameters; `drivers` and `joints`: their members; `relative`: for each link whose
+  /// group is solved relative to a moving link, the member for its frame. Throws MechanismError for
+  /// a length that variable parameters change and that is zero at the scene's own numbers, and if
+  /// groups are solved relative to moving links but the scene has no configuration at its own
+  /// numbers.
   SceneNumbers(const mechanism::Plan& plan, const mechanism::Values& values,
                const std::vector<std::pair<mechanism::ParameterIndex, cpp::Expression>>& variable,
                const std::vector<Eigen::Index>& modelled,
@@ -37,7 +37,7 @@ class SceneNumbers {
   SceneNumbers& operator=(const SceneNumbers&) = delete;
 
   [[nodiscard]] SceneNumber number(mechanism::NumberIndex number) const;
-  /// The place to which a driver moves its joint: an argument of the solver, or the formula of a
+  /// The position to which a driver moves its joint: an argument of the solver, or the formula of a
   /// law that reads other joints.
   [[nodiscard]] const SceneNumber& position(mechanism::DriverIndex driver) const {
     return positions_[driver];
@@ -46,7 +46,7 @@ class SceneNumbers {
   [[nodiscard]] SceneNumber law(mechanism::DriverIndex driver) const;
   /// A number of a load, whose formula may read joints.
   [[nodiscard]] SceneNumber loading(mechanism::NumberIndex number) const;
-  /// The derivative of a driver's law by the coordinate of a joint that it reads.
+  /// The derivative of a driver's law with respect to the coordinate of a joint that it reads.
   [[nodiscard]] SceneNumber slope(mechanism::DriverIndex driver, mechanism::JointIndex joint) const;
   [[nodiscard]] LinkFeature<SceneNumber> feature(mechanism::FeatureIndex index, bool is_line) const;
   /// A joint's feature in the frame of a link that has it, or that carries the link that has it.
@@ -61,7 +61,7 @@ class SceneNumbers {
 
   /// Whether the number depends on something that moves, such as a driver.
   [[nodiscard]] bool moves(const SceneNumber& number) const;
-  /// The formulas of its rates in time, as many as `order`.
+  /// The formulas of its time derivatives, `order` in number.
   [[nodiscard]] std::vector<cpp::Expression> rates(const SceneNumber& number, int order) const;
   /// The same for the angle of a direction that moves: c s' - s c', c s'' - s c''.
   [[nodiscard]] std::vector<cpp::Expression> rates(const Direction<SceneNumber>& direction,
@@ -72,16 +72,16 @@ class SceneNumbers {
   [[nodiscard]] bool varies(const Direction<SceneNumber>& direction) const {
     return varies(direction.cos) || varies(direction.sin);
   }
-  /// A square root in formulas that vary, or one of its rates, which a function computes by name.
+  /// A square root in formulas that vary, or one of its rates, computed by a function under a name.
   struct NamedStep {
     std::string name;
     cpp::Expression formula;
   };
-  /// The steps in the order in which they depend on one another, with as many rates as `order`.
+  /// The steps in order of dependence, with `order` rates each.
   [[nodiscard]] const std::vector<NamedStep>& steps(int order) const;
   /// The formula of a number that varies.
   [[nodiscard]] cpp::Expression expression(const SceneNumber& number) const;
-  /// The formulas of its derivatives to the modelled parameters; none where one is zero.
+  /// The formulas of its derivatives with respect to the modelled parameters; empty for zero.
   [[nodiscard]] Gradient gradient(const SceneNumber& number) const;
   /// The same for the angle of a direction that varies: c ds - s dc.
   [[nodiscard]] Gradient gradient(const Direction<SceneNumber>& direction) const;
@@ -91,7 +91,7 @@ class SceneNumbers {
   void evaluate(mechanism::ParameterIndex parameter);
   [[nodiscard]] mechanism::Dual deviation(mechanism::ParameterIndex parameter) const;
   [[nodiscard]] bool varies(const GiNaC::ex& formula) const;
-  /// The rates that are given for a parameter replace those that follow from its formula.
+  /// Replaces the rates that follow from a parameter's formula by the given ones.
   void set_rates(const Mover& mover);
   void set_rates(const Mover& mover, const GiNaC::ex& formula, mechanism::NumberIndex velocity,
                  mechanism::NumberIndex acceleration);
@@ -101,21 +101,21 @@ class SceneNumbers {
                      const mechanism::Table<mechanism::JointIndex, std::string>& joints);
   void add_relative_frames(const mechanism::Table<mechanism::LinkIndex, std::string>& relative);
   SceneNumber add_mover(const Mover& mover, const mechanism::Dual& value);
-  /// Makes the coordinate of a joint known to formulas: that of its driver, or one that the groups
-  /// place.
+  /// Declares the coordinate of a joint for formulas: that of its driver, or the one found by the
+  /// groups.
   void add_coordinate(mechanism::JointIndex joint,
                       const mechanism::Table<mechanism::JointIndex, std::string>& joints);
-  /// The formula in what varies at run time: deviations are zero, so that their roots are numbers.
+  /// The formula at zero deviations, in the quantities that vary at run time.
   [[nodiscard]] GiNaC::ex at_run_time(const GiNaC::ex& formula) const;
   /// The expression of a formula that `at_run_time` returned.
   [[nodiscard]] cpp::Expression expression(const GiNaC::ex& formula) const;
-  /// A symbol that stands for an expression.
+  /// A symbol for an expression.
   [[nodiscard]] GiNaC::symbol symbol(const cpp::Expression& expression);
   /// A mover with the expressions of its position and its rates.
   [[nodiscard]] Mover mover(const cpp::Expression& position, const cpp::Expression& velocity,
                             const cpp::Expression& acceleration);
-  /// A direction as (x, y) / r, with r^2. Without the roots that both parts are divided by, the
-  /// derivatives of its angle are shorter.
+  /// A direction as (x, y) / r, with r^2. The derivatives of its angle are shorter without the
+  /// roots in r.
   struct LongDirection {
     GiNaC::ex x, y, square;
   };
@@ -129,14 +129,14 @@ class SceneNumbers {
   /// A parameter that varies; the deviation of another that is modelled or has rates; else zero.
   mechanism::Table<mechanism::ParameterIndex, GiNaC::ex> symbol_of_;
   mechanism::Table<mechanism::ParameterIndex, bool> is_variable_;
-  mutable SceneSymbols symbols_;  ///< formulas that are made later may have new roots
+  mutable SceneSymbols symbols_;  ///< formulas that are created later may add roots
   /// The steps of the first `roots_in_steps_` roots.
   mutable std::vector<NamedStep> steps_;
   mutable std::size_t roots_in_steps_ = 0;
   std::vector<GiNaC::symbol> variables_;
   GiNaC::exmap deviations_;  ///< their symbols to zero
   GiNaC::exmap own_rates_;   ///< symbols of rates that are given to their formulas
-  /// By which given rates count: 1, or an argument where motions along coordinates leave them out.
+  /// The factor of given rates: 1, or an argument where motions along coordinates omit them.
   GiNaC::ex given_rates_ = 1;
   std::vector<GiNaC::ex> modelled_;
   mechanism::Table<mechanism::ParameterIndex, std::optional<SceneNumber>> parameters_;

@@ -11,7 +11,7 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// A direction that is turned by another.
+/// A direction rotated by another.
 cpp::Expression turned_direction(const FunctionBody& body, const cpp::Expression& direction,
                                  const Direction<SceneNumber>& by) {
   const cpp::Expression angle = body.direction(by);
@@ -27,8 +27,8 @@ cpp::Statement hold(const std::string& function, int first,
   return cpp::called(cpp::variable("held").member(instance).at(std::move(arguments)));
 }
 
-/// Holds the dimensions that drivers move, or else those that only variable parameters change: they
-/// are the inputs of the group from `first` on.
+/// Holds the dimensions that drivers move, or else those that only variable parameters change: the
+/// inputs of the group from `first` on.
 void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex group, bool that_move,
                             int& first, FunctionBody& held) {
   const std::vector<bool> dimension_moves = moving_dimensions(solver, group);
@@ -63,9 +63,9 @@ void add_varying_dimensions(const SolverScene& solver, mechanism::GroupIndex gro
   }
 }
 
-/// Adds a part of a function for a group. If laws that read joints change the shape of the group's
-/// links, or of those that hold it, the coordinates of these joints come before it, as far as it
-/// reads them. A law that is computed after the group is left out: it may read the group itself.
+/// Adds a part of a function for a group, preceded by the joint coordinates that it reads if laws
+/// that read joints change the shape of the group's links or of links that hold it. A law that is
+/// computed after the group is omitted: it may read the group itself.
 template <typename Add>
 void add_part(const SolverScene& solver, mechanism::GroupIndex group, FunctionBody& body,
               const Add& add) {
@@ -84,7 +84,7 @@ void add_part(const SolverScene& solver, mechanism::GroupIndex group, FunctionBo
   body.add(own);
 }
 
-/// Holds a group's external joints, and moves its dimensions.
+/// Holds a group's external joints, and sets its moving dimensions.
 void add_holding(const SolverScene& solver, mechanism::GroupIndex group, FunctionBody& held) {
   int first = 0;
   for (const ExternalJoint& external : external_joints(solver, group)) {
@@ -109,8 +109,7 @@ void add_holding(const SolverScene& solver, mechanism::GroupIndex group, Functio
   add_varying_dimensions(solver, group, false, first, held);
 }
 
-/// Measures the slides of second pins in slots whose links are placed with the last of a number of
-/// groups.
+/// Measures the slides of second pins in slots whose links are placed by the last of these groups.
 void add_second_pins(const SolverScene& solver, std::size_t groups, FunctionBody& body,
                      std::vector<std::string>& slides) {
   const mechanism::Structure& structure = solver.plan.structure();

@@ -1,4 +1,4 @@
-// Turns the steps that place a scene's links into the statements of its solver.
+// Statements of a solver that place the links of a scene.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct PlacingStatements {
 
 /// Places the links that the ground carries.
 [[nodiscard]] PlacingStatements driving_statements(const SolverScene& solver);
-/// Holds a group's external joints where moving links have them.
+/// Holds a group's external joints at their positions on moving links.
 [[nodiscard]] cpp::Block holding_statements(const SolverScene& solver, mechanism::GroupIndex group);
 /// Places the links and slides of a group in one of its configurations.
 [[nodiscard]] PlacingStatements placing_statements(const SolverScene& solver,

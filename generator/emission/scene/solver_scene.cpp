@@ -15,9 +15,9 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// The most states that a solver lists: their array is on the stack of the caller.
+/// The largest number of states that a solver lists: their array is on the caller's stack.
 constexpr double most_listed = 4096;
-/// The most groups of a solver: a number with one bit for each says which groups hold a group.
+/// The largest number of groups: those that hold a group are the bits of one integer.
 constexpr std::size_t most_groups = 64;
 
 std::vector<VariableParameter> variable_parameters(const mechanism::Plan& plan) {
@@ -36,8 +36,8 @@ std::vector<VariableParameter> variable_parameters(const mechanism::Plan& plan) 
   return variable;
 }
 
-/// The parameters that have a tolerance or are variable, or all parameters if there are none of
-/// these; no parameters if no output's sensitivity is wanted.
+/// The parameters that have a tolerance or are variable, or all if there are none of these; empty
+/// if no output's sensitivity is wanted.
 ModelledParameters modelled_parameters(const mechanism::Plan& plan, const mechanism::Values& values,
                                        const std::vector<VariableParameter>& variable) {
   const auto& parameters = plan.mechanism().parameters();
@@ -64,7 +64,7 @@ ModelledParameters modelled_parameters(const mechanism::Plan& plan, const mechan
   return {columns, names};
 }
 
-/// The variable parameters as the statements of a solver call them.
+/// The variable parameters as expressions in the statements of a solver.
 std::vector<std::pair<mechanism::ParameterIndex, cpp::Expression>> arguments(
     const std::vector<VariableParameter>& variable) {
   std::vector<std::pair<mechanism::ParameterIndex, cpp::Expression>> list;
@@ -106,13 +106,13 @@ mechanism::Table<mechanism::LinkIndex, std::string> relative_members(
   return members;
 }
 
-/// A block, which a driver may move, has a member beside the mechanism's own links.
+/// A block, which a driver may move, has a member besides those of the mechanism's own links.
 SceneMembers scene_members(const mechanism::Mechanism& described,
                            const mechanism::Structure& structure, const mechanism::Want& want) {
   const mechanism::Linkage& linkage = structure.linkage;
   SceneMembers members;
   members.joints = members_of<mechanism::JointIndex>(names_of(described.joints()), {"members"});
-  // In the emitted struct Placed, slides and other things are members beside the links.
+  // In the emitted struct Placed, slides and other members stand beside the links.
   std::vector<std::string> taken = {"drivers", "members", "order", "parameters", "regularity"};
   if (want.coefficients || want.dynamics) {
     taken.emplace_back("given_rates");
@@ -196,7 +196,7 @@ mechanism::Table<mechanism::LinkIndex, FrameNeed> needs_of_links(const SolverSce
   return needs;
 }
 
-/// Loads depend on rates by inertia and dampers; second coefficients are accelerations.
+/// Loads depend on rates through inertia and dampers; second coefficients are accelerations.
 int order_of(const mechanism::Want& want) {
   return want.acceleration || want.loaded() || want.coefficients ? 2 : want.velocity ? 1 : 0;
 }

@@ -1,4 +1,4 @@
-// Turns a scene into what the text of its solver is made from: values, order and names.
+// The data of a scene from which the text of its solver is made: values, order and names.
 #pragma once
 
 #include <assur/mechanism/plan.hpp>
@@ -13,7 +13,7 @@
 
 namespace assur::generator::emission::scene {
 
-/// The members that stand for what the scene names.
+/// The names of the solver's members for the items of the scene.
 struct SceneMembers {
   mechanism::Table<mechanism::LinkIndex, std::string> links;
   mechanism::Table<mechanism::JointIndex, std::string> joints;
@@ -21,19 +21,19 @@ struct SceneMembers {
   mechanism::Table<mechanism::OutputIndex, std::string> outputs;
   /// The frames of links whose groups are solved relative to a moving link; empty for others.
   mechanism::Table<mechanism::LinkIndex, std::string> relative;
-  /// The configurations of groups, where they are kept.
+  /// The configurations of groups, if they are kept.
   mechanism::Table<mechanism::GroupIndex, std::string> solved;
 };
 
-/// A parameter that is an argument of the solver, and the member that stands for it.
+/// A parameter that is an argument of the solver, and its member.
 struct VariableParameter {
   mechanism::ParameterIndex index;
   std::string member;
 };
 
-/// A scene as its solver sees it.
+/// A scene with all data for its solver.
 struct SolverScene {
-  /// Throws MechanismError for a scene that cannot be taken apart into known groups, and for
+  /// Throws MechanismError for a scene that cannot be decomposed into known groups, and for
   /// variable parameters that cannot be arguments.
   explicit SolverScene(const mechanism::Scene& described);
 
@@ -43,9 +43,9 @@ struct SolverScene {
   ModelledParameters parameters;
   SceneMembers members;
   SceneNumbers numbers;
-  /// What is needed of the frames of links, including blocks of pins in slots.
+  /// The needed parts of the frames of links, including blocks of pins in slots.
   mechanism::Table<mechanism::LinkIndex, FrameNeed> needs;
-  int derivative_order;   ///< of the time derivatives that are wanted: 0, 1 or 2
+  int derivative_order;   ///< highest order of the wanted time derivatives: 0, 1 or 2
   std::string file;       ///< without directories
   std::string structure;  ///< the name of the solver's struct
 
@@ -58,7 +58,7 @@ struct SolverScene {
       mechanism::ElementaryJointIndex index) const {
     return linkage().joints[index];
   }
-  /// The joint that plays a joint of a group.
+  /// The joint of the scene in the role of a group's joint.
   [[nodiscard]] const mechanism::ElementaryJoint& played_joint(mechanism::GroupIndex group,
                                                                int joint) const;
   [[nodiscard]] const std::string& link_name(mechanism::LinkIndex link) const {
@@ -86,16 +86,16 @@ struct SolverScene {
   [[nodiscard]] bool reports(mechanism::JointIndex slide) const {
     return wants_motion() && plan.request().reported.has(slide) && !plan.is_stand_in(slide);
   }
-  /// Whether the force in a joint is told.
+  /// Whether the force in a joint is reported.
   [[nodiscard]] bool tells_force(mechanism::JointIndex joint) const {
     return plan.request().reported.has(joint) && !plan.is_stand_in(joint);
   }
-  /// Whether derivatives by the coordinates of drivers are wanted, or needed.
+  /// Whether derivatives with respect to the coordinates of drivers are wanted, or needed.
   [[nodiscard]] bool wants_coordinates() const {
     const mechanism::Want& want = plan.request().want;
     return want.coefficients || want.dynamics;
   }
-  /// Whether the configurations of groups are kept beside their links.
+  /// Whether the configurations of groups are kept besides their links.
   [[nodiscard]] bool keeps_groups() const {
     return plan.request().want.forces || wants_coordinates();
   }
@@ -105,19 +105,19 @@ struct SolverScene {
   }
   /// The members for the links at a pin of several, in the order of the joint's `between`.
   [[nodiscard]] std::vector<std::string> pin_members(mechanism::JointIndex pin) const;
-  /// Whether anything is wanted of links and slides, which have no sensitivities.
+  /// Whether any result of links and slides, which have no sensitivities, is wanted.
   [[nodiscard]] bool wants_motion() const {
     const mechanism::Want& want = plan.request().want;
     return want.position || want.velocity || want.acceleration;
   }
-  /// `placed.crank`, or nothing for the ground, whose frame is the fixed one.
+  /// `placed.crank`, or empty for the ground, whose frame is the fixed one.
   [[nodiscard]] std::optional<cpp::Expression> placed(mechanism::LinkIndex link) const {
     return is_ground(link) ? std::nullopt
                            : std::optional(cpp::variable("placed").member(members.links[link]));
   }
   /// The body of a function of the solver, without statements.
   [[nodiscard]] FunctionBody body() const { return {parameters, numbers, derivative_order}; }
-  /// The place where a group puts one of its links: `placed.crank`, or `placed.rod_on_crank`.
+  /// The frame in which a group places one of its links: `placed.crank`, or `placed.rod_on_crank`.
   [[nodiscard]] cpp::Expression placed_by_group(mechanism::LinkIndex link) const {
     const auto& names = members.relative[link].empty() ? members.links : members.relative;
     return cpp::variable("placed").member(names[link]);

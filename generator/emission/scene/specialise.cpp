@@ -16,7 +16,7 @@ bool is_symbol(const GiNaC::ex& expression) {
   return GiNaC::is_a<GiNaC::symbol>(expression) || GiNaC::is_a<GiNaC::symbol>(-expression);
 }
 
-/// Whether a number results from dividing by named constants and is no double; it keeps its name.
+/// Whether a number is a quotient by named constants that no double equals; it keeps its name.
 bool is_quotient(const GiNaC::ex& definition, const GiNaC::numeric& number) {
   return !GiNaC::is_a<GiNaC::numeric>(definition.denom()) && !cpp::is_double(number);
 }
@@ -36,7 +36,7 @@ class Specialiser {
       }
       const std::optional<GiNaC::numeric> number = order_.number(quantity.definition);
       if (number && quantity.form == Form::reciprocal) {
-        // A quotient by zero is not determined. Any number will do, as configurations computed from
+        // A quotient by zero is undetermined. Any number will do, as configurations computed from
         // it are checked for closure.
         values_[quantity.symbol] =
             quantity.definition.is_zero() ? GiNaC::ex(0) : 1 / quantity.definition;
@@ -60,7 +60,7 @@ class Specialiser {
   }
 
  private:
-  /// The expression with `values_` put in, and without factors of a term that cancel one another.
+  /// The expression with `values_` substituted, without factors of a term that cancel.
   [[nodiscard]] GiNaC::ex folded(const GiNaC::ex& expression) const {
     const GiNaC::ex numbers = expression.subs(values_, GiNaC::subs_options::no_pattern);
     program::Polynomial sum;
@@ -80,7 +80,7 @@ class Specialiser {
     return program::expression(sum, order_);
   }
 
-  /// The definitions and values in which a symbol occurs.
+  /// The definitions and values that contain a symbol.
   [[nodiscard]] std::vector<GiNaC::ex*> users_of(const GiNaC::symbol& symbol) {
     std::vector<GiNaC::ex*> users;
     for (equations::NamedQuantity& quantity : special_.quantities) {
@@ -121,7 +121,7 @@ class Specialiser {
     values_[reciprocal.symbol] = reciprocal.symbol / coefficient.origin();
   }
 
-  /// A number times symbols needs no name if it is used once and is multiplied by a number there.
+  /// A number times symbols needs no name if it is used once, multiplied by a number.
   void merge_multiples() {
     for (const equations::NamedQuantity& quantity : special_.quantities) {
       const program::Polynomial definition = program::polynomial(quantity.definition, order_);

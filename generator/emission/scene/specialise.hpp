@@ -1,4 +1,4 @@
-// Turns named quantities and results into those of one mechanism: numbers in place of symbols.
+// Named quantities and results with the numbers of one mechanism in place of symbols.
 #pragma once
 
 #include <vector>
@@ -13,12 +13,12 @@ struct NamedResults {
   std::vector<program::Result> results;
 };
 
-/// Puts `values` in place of symbols, in the definitions of the quantities and in the results, and
+/// Substitutes `values` for symbols, in the definitions of the quantities and in the results, and
 /// folds exactly; expressions in the constants of `order` are numbers, too. A quantity that becomes
 /// a number, or a symbol up to its sign, replaces its name, and so does a multiple that is used
 /// once and is scaled again there; a number that was divided by constants becomes a constant
-/// itself. Numbers are taken out of reciprocals, and factors by which a term is both multiplied and
-/// divided are cancelled. The reciprocal of zero becomes zero. This is the last step before common
+/// itself. Numbers are extracted from reciprocals, and factors by which a term is both multiplied
+/// and divided cancel. The reciprocal of zero becomes zero. This is the last step before common
 /// subexpressions are shared: during elimination, the two rounded parts of a direction would not
 /// satisfy cos^2 + sin^2 = 1.
 [[nodiscard]] NamedResults specialised(const std::vector<equations::NamedQuantity>& quantities,

@@ -132,7 +132,7 @@ class GroupSpecialiser {
   }
 
  private:
-  /// The number of parameters to which frames have derivatives.
+  /// The number of parameters by which frames have derivatives.
   [[nodiscard]] Eigen::Index parameter_count() const {
     return count_of(FrameNeed::everything) > 0 ? numbers_.dimension_gradient.cols() : 0;
   }
@@ -140,7 +140,7 @@ class GroupSpecialiser {
     return std::count(numbers_.frames.begin(), numbers_.frames.end(), need);
   }
 
-  /// A dimension, or the cosine or sine of one, that the functions know by its name.
+  /// A dimension, or the cosine or sine of one, under a name in the functions.
   struct NamedConstant {
     GiNaC::symbol symbol;
     GiNaC::numeric value;
@@ -226,7 +226,7 @@ class GroupSpecialiser {
     }
   }
 
-  /// Keeps the derivatives of those frames only of which everything is needed.
+  /// Keeps the derivatives only of frames that are needed in full.
   void leave_out_frames() {
     const auto keep = [this](derivatives::ExpressionMatrix& matrix, std::size_t rows_of_link) {
       derivatives::ExpressionMatrix kept;
@@ -269,7 +269,7 @@ class GroupSpecialiser {
     return poses;
   }
 
-  /// The dimensions are numbers: no function takes them.
+  /// The dimensions are numbers, so no function takes them.
   static model::ModelFunction without_dimensions(model::ModelFunction function) {
     std::erase_if(function.inputs,
                   [](const model::Parameter& parameter) { return parameter.name == "d"; });
@@ -286,9 +286,9 @@ class GroupSpecialiser {
            std::to_string(count.divisions);
   }
 
-  /// Whether the runtime calls a function, or the wanted derivatives need it. Where the final
+  /// Whether the runtime calls a function, or the wanted derivatives need it. If the final
   /// polynomial is solved by formula, the Jacobian is needed only in rare cases, and the runtime
-  /// takes it from the residual. The inverse is needed to follow a branch; for two unknowns, an
+  /// computes it from the residual. The inverse is needed to follow a branch; for two unknowns, an
   /// emitted one costs no less than that of the runtime.
   [[nodiscard]] bool is_wanted(const std::string& function) const {
     const auto any_of = [&](const std::vector<std::string>& names) {
@@ -311,7 +311,7 @@ class GroupSpecialiser {
            (numbers_.order == 2 && function == "motion");
   }
 
-  /// The reciprocals that the forces need, are no numbers here, and are found with the rates.
+  /// The reciprocals that the forces need, that are not numbers here and are found with the rates.
   [[nodiscard]] std::vector<GiNaC::symbol> reciprocals_of_rates(
       const model::ForceFunction& function) const {
     std::vector<GiNaC::symbol> result;
@@ -458,7 +458,7 @@ class GroupSpecialiser {
     return std::to_string(set) + "U";
   }
 
-  /// How a group with a final polynomial is solved.
+  /// The method by which a group with a final polynomial is solved.
   struct ClosedForm {
     explicit ClosedForm(const equations::ClosureEquations& equations)
         : structured(equations), elimination(elimination::eliminate(equations)) {}
@@ -470,7 +470,7 @@ class GroupSpecialiser {
   const SpecialisedNumbers& numbers_;
   equations::ClosureEquations equations_;
   derivatives::Derivatives derivatives_;
-  std::optional<ClosedForm> closed_;  ///< nothing of a group of more than four links
+  std::optional<ClosedForm> closed_;  ///< empty for a group of more than four links
   GiNaC::exmap values_;
   std::vector<NamedConstant> constants_;
   model::Sizes sizes_;  ///< of the lengths that are numbers

@@ -1,4 +1,4 @@
-// Turns a model and the numbers of one mechanism's group into the view of a specialised model.
+// The view of a group's model with the numbers of one mechanism.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,10 +15,10 @@
 
 namespace assur::generator::emission::scene {
 
-/// What a solver needs of a link's frame.
+/// The parts of a link's frame that a solver needs.
 enum class FrameNeed : unsigned char {
   nothing,
-  direction,  ///< only to tell configurations apart
+  direction,  ///< only to distinguish configurations
   everything
 };
 
@@ -27,41 +27,40 @@ struct SpecialisedNumbers {
   const structure::Model* model;
   double unit;
   double size;  ///< the longest of the group's own lengths, without the arms of links that hold it
-  int order;    ///< of the time derivatives that are wanted: 0, 1 or 2
+  int order;    ///< highest order of the wanted time derivatives: 0, 1 or 2
   /// For each dimension of the model, whether drivers move it: then it is an input, after the
   /// model's own, and is not among the dimensions below.
   std::vector<bool> dimension_moves;
   /// A dimension that variable parameters change has no number: it is an input after all others.
   std::vector<std::optional<DimensionValue<double>>> dimensions;
   Eigen::MatrixXd dimension_gradient;  ///< one column per parameter whose sensitivity is wanted
-  /// The inputs that are numbers: the ground holds them, and nothing changes them.
+  /// The inputs that are constant numbers: those held by the ground.
   std::vector<std::optional<DimensionValue<double>>> inputs;
   Eigen::MatrixXd input_gradient;  ///< of these inputs; zero for the others
   std::vector<bool> input_moves;   ///< for each input, whether it moves with time
   std::vector<FrameNeed> frames;   ///< of the links, in the group's order
-  bool holds_groups;               ///< whether other groups are held by its links
+  bool holds_groups;               ///< whether its links hold other groups
   bool forces;                     ///< whether the forces in its joints are wanted
-  /// Of a group of more than four links: the ways to all of its complex configurations, their
-  /// number, and the angle along which each displacement runs.
+  /// For a group of more than four links: the eliminations that yield all of its complex
+  /// configurations, their number, and the angle along which each displacement runs.
   std::vector<loops::Elimination> eliminations;
-  std::vector<loops::Start> starts;  ///< where there are none
+  std::vector<loops::Start> starts;  ///< if there are no eliminations
   std::size_t complex_configurations;
   std::vector<int> slide_angles;
 };
 
-/// The view that templates/specialised_group.hpp.mustache shows.
+/// The view of templates/specialised_group.hpp.mustache.
 struct SpecialisedGroup {
   cpp::View view;
   std::size_t max_configurations;
-  /// The numbers of a place on a branch: inputs, unknowns, J^-1 and the sign of det J.
+  /// The numbers of a point on a branch: inputs, unknowns, J^-1 and the sign of det J.
   std::size_t branch_numbers;
   int first_key;            ///< of the keys that order a group's configurations, the first that may
                             ///< differ
-  bool shares_reciprocals;  ///< whether forces take reciprocals that are found with the rates
+  bool shares_reciprocals;  ///< whether forces use reciprocals found with the rates
 };
 
-/// The group's links with frames, in the order of the solver: those of which everything is needed
-/// come first.
+/// The group's links with frames, in the order of the solver: those needed in full come first.
 [[nodiscard]] std::vector<std::size_t> framed_links(const std::vector<FrameNeed>& frames);
 
 /// The functions of a rigid model that the runtime needs and the scene wants, with the dimensions

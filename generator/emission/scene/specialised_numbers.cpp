@@ -14,7 +14,7 @@ namespace {
 
 /// The longest lengths of a group.
 struct Longest {
-  double own = 0;   ///< of its dimensions, and between the joints that stand in its frame
+  double own = 0;   ///< of its dimensions, and between the joints that are fixed in its frame
   double arms = 0;  ///< of the moving links that hold it
 
   /// The largest power of two that is not above the longer one; 1 if there is no length.
@@ -50,7 +50,7 @@ DimensionValue<double> in_unit(const DimensionValue<SceneNumber>& value, double 
           {value.angle.cos.value(), value.angle.sin.value()}};
 }
 
-/// Collects values in the group's unit, each with a row of derivatives to the parameters.
+/// Collects values in the group's unit, each with its gradient with respect to the parameters.
 class NumberList {
  public:
   NumberList(const ModelledParameters& parameters, double unit)
@@ -61,7 +61,7 @@ class NumberList {
     add_row(value.is_angle ? parameters_.gradient(angle_of(value.angle).number())
                            : parameters_.gradient(value.length.number()) / unit_);
   }
-  /// Adds a value that varies: it is no number, and has no derivatives of its own.
+  /// Adds a value that varies: it has neither a number nor derivatives of its own.
   void add_input() {
     values_.emplace_back(std::nullopt);
     add_row(Eigen::VectorXd::Zero(parameters_.count()));
@@ -88,8 +88,8 @@ std::string names_of(const SolverScene& solver, mechanism::GroupIndex group) {
   return text::listed(solver.plan.structure().names_of(solver.group(group).links));
 }
 
-/// Throws if parameters move a point across an axis that is held: the models have derivatives to
-/// their dimensions alone, and no dimension moves a point in that way.
+/// Throws if parameters move a point across an axis that is held: the models have derivatives only
+/// by their dimensions, and no dimension moves a point in that way.
 void expect_followed(const SolverScene& solver,
                      const mechanism::GroupGeometry<SceneNumber>& geometry) {
   const mechanism::Structure& structure = solver.plan.structure();
@@ -104,10 +104,10 @@ void expect_followed(const SolverScene& solver,
   }
 }
 
-/// Those of a derived model whose eigenproblems fit on the stack. Throws where none does.
+/// Eliminations of a derived model whose eigenproblems fit on the stack. Throws if none does.
 std::vector<loops::Elimination> emitted_eliminations(const SolverScene& solver,
                                                      mechanism::GroupIndex group) {
-  // Eigen keeps no matrix of more than 128 KiB there: 90 times 90 complex numbers.
+  // Eigen puts no matrix above 128 KiB on the stack: 90 times 90 complex numbers.
   constexpr int most_eigenvalues = 90;
   std::vector<loops::Elimination> result;
   const mechanism::GroupModel& model = *solver.group(group).model;

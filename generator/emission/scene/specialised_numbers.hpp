@@ -1,4 +1,4 @@
-// Turns a group of a scene into the numbers of its specialised model.
+// The numbers of a scene's group for its specialised model.
 #pragma once
 
 #include <vector>
@@ -17,13 +17,13 @@ struct ExternalJoint {
   [[nodiscard]] LinkFeature<SceneNumber> feature(const SolverScene& solver) const {
     return solver.numbers.feature(*joint, base);
   }
-  /// The frame of that link, nothing where it is the frame of the group.
+  /// The frame of that link; empty if it is the frame of the group.
   [[nodiscard]] OptionalExpression frame(const SolverScene& solver) const {
     return is_in_frame ? std::nullopt : solver.placed(base);
   }
-  /// Whether the group is held at one place of its frame at every time and with any parameters.
+  /// Whether the joint is fixed in the group's frame at every time and for all parameters.
   [[nodiscard]] bool is_fixed(const SolverScene& solver) const;
-  /// Whether the place where the group is held moves with time.
+  /// Whether the joint moves in the group's frame with time.
   [[nodiscard]] bool moves(const SolverScene& solver) const;
 };
 
@@ -35,7 +35,7 @@ struct ExternalJoint {
 [[nodiscard]] std::vector<ExternalJoint> external_joints(const SolverScene& solver,
                                                          mechanism::GroupIndex group);
 
-/// What is needed of the frames of the group's links, in the order of its model.
+/// The needed parts of the frames of the group's links, in the order of its model.
 [[nodiscard]] std::vector<FrameNeed> frame_needs(const SolverScene& solver,
                                                  mechanism::GroupIndex group);
 
@@ -43,7 +43,7 @@ struct ExternalJoint {
 [[nodiscard]] std::vector<bool> moving_dimensions(const SolverScene& solver,
                                                   mechanism::GroupIndex group);
 
-/// The group's dimensions, and its inputs as far as the ground holds them.
+/// The group's dimensions, and those of its inputs that the ground holds.
 [[nodiscard]] SpecialisedNumbers specialised_numbers(const SolverScene& solver,
                                                      mechanism::GroupIndex group);
 

@@ -8,7 +8,7 @@ namespace assur::generator::emission::scene {
 
 namespace {
 
-/// The derivatives to the inputs of the solver's group.
+/// The derivatives with respect to the inputs of the solver's group.
 std::vector<program::Result> input_columns(const SpecialisedNumbers& numbers,
                                            const std::string& target,
                                            const derivatives::ExpressionMatrix& of_dimensions,

@@ -1,5 +1,4 @@
-// Turns a group's derivatives into the functions that its sensitivities to a scene's parameters
-// need.
+// Functions for the sensitivities of a group to a scene's parameters.
 #pragma once
 
 #include <vector>
@@ -10,8 +9,8 @@
 
 namespace assur::generator::emission::scene {
 
-/// The derivatives of the closures and of the poses of the links: to parameters, through the
-/// dimensions and the ground, and to the inputs.
+/// The derivatives of the closures and of the poses of the links: by parameters, through the
+/// dimensions and the ground, and by the inputs.
 [[nodiscard]] std::vector<model::ModelFunction> sensitivity_functions(
     const SpecialisedNumbers& numbers, const derivatives::Derivatives& derivatives);
 

@@ -1,4 +1,4 @@
-// Turns the results that a scene wants into the members of its solver's states.
+// Members of a solver's states for the results that a scene wants.
 #pragma once
 
 #include "emission/cpp/page.hpp"
@@ -10,7 +10,7 @@ namespace assur::generator::emission::scene {
 [[nodiscard]] cpp::View::List member_list(const std::vector<std::string>& members);
 
 /// Sets the members of a state, and of its links, slides and outputs, as lists of arguments. The
-/// view shows those for forces already.
+/// view must already show the members for forces.
 void show_state_members(const SolverScene& solver, bool has_links, bool has_slides,
                         cpp::View& view);
 

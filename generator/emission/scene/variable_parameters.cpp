@@ -9,7 +9,7 @@ namespace {
 
 using mechanism::ParameterIndex;
 
-/// The parameters on which some numbers of a mechanism depend. A held parameter depends on none.
+/// The parameters on which numbers of a mechanism depend. A held parameter depends on no other.
 class Dependence {
  public:
   Dependence(const mechanism::Mechanism& mechanism, const std::vector<ParameterIndex>& held)
@@ -21,7 +21,7 @@ class Dependence {
     }
   }
 
-  /// The places of joints and of outputs.
+  /// The positions of joints and outputs.
   Dependence& add_places() {
     for (const mechanism::Joint& joint : mechanism_.joints()) {
       for (const mechanism::FeatureIndex feature : joint.between) {
@@ -81,7 +81,7 @@ class Dependence {
       add(feature.along_y);
     }
   }
-  /// Some of the numbers may not exist.
+  /// Absent numbers are skipped.
   void add_all(const std::vector<mechanism::NumberIndex>& numbers) {
     for (const mechanism::NumberIndex number : numbers) {
       if (number.exists()) {
@@ -136,7 +136,7 @@ void expect_arguments(const mechanism::Plan& plan, const std::vector<ParameterIn
           laws.on(parameter)
               ? "only the law of a driver depends on it, and drivers are arguments of the solver "
                 "already; do not make it variable"
-              : "nothing that is reported depends on it; do not make it variable");
+              : "no reported result depends on it; do not make it variable");
     }
   }
 }

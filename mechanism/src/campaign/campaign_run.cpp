@@ -1,4 +1,4 @@
-// Turns a range of items into blocks of rows, computed on threads and handed over in order.
+// Computes blocks of rows on threads, and passes them on in order.
 #include <algorithm>
 #include <assur/mechanism/campaign.hpp>
 #include <condition_variable>
@@ -11,7 +11,7 @@ namespace assur::mechanism::campaign {
 
 namespace {
 
-/// Enough items that handing them over costs nothing beside computing them.
+/// Enough items to make the cost of passing on a block negligible beside its computation.
 constexpr std::uint64_t items_of_a_block = 256;
 
 using Encode = std::function<std::string(const std::vector<double>&)>;
@@ -41,7 +41,7 @@ void compute(const Campaign::Worker& worker, ItemRange items, const Encode& enco
   }
 }
 
-/// Threads that compute blocks a little ahead of the one that is handed over next.
+/// Threads that compute blocks slightly ahead of the one that is passed on next.
 class Pipeline {
  public:
   Pipeline(const Campaign& campaign, const Blocks& blocks, int threads, const Encode& encode)
@@ -55,7 +55,7 @@ class Pipeline {
       for (int thread = 0; thread < useful; ++thread) {
         threads_.emplace_back([this] { work(); });
       }
-    } catch (const std::system_error&) {  // fewer threads than asked for are enough
+    } catch (const std::system_error&) {  // fewer threads than requested are enough
       if (threads_.empty()) {
         throw;
       }
@@ -144,7 +144,7 @@ class Pipeline {
   std::condition_variable room_, done_;
   std::vector<Slot> slots_;
   std::uint64_t next_ = 0;         ///< block that no thread has taken
-  std::uint64_t handed_over_ = 0;  ///< how many blocks were
+  std::uint64_t handed_over_ = 0;  ///< number of blocks passed on
   std::vector<std::jthread> threads_;
 };
 

@@ -1,4 +1,4 @@
-// Turns a seed and a counter into random numbers, each without those before it.
+// Random numbers as functions of a seed and a counter, independent of earlier ones.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Turns a grid of parameters' values into every configuration in each of its cells.
+// Campaign of all configurations over a grid of parameter values.
 #include <algorithm>
 #include <assur/text/quoted.hpp>
 #include <memory>

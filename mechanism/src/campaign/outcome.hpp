@@ -1,4 +1,4 @@
-// Turns the solution for one set of values into its entries in a table.
+// Table entries for the solution at one set of values.
 #pragma once
 
 #include <assur/mechanism/campaign.hpp>
@@ -30,7 +30,7 @@ inline void add_output_columns(const Mechanism& mechanism, std::vector<Column>& 
   }
 }
 
-/// Adds the outputs' coordinates to a row; NaN for null, which means no configuration.
+/// Adds the outputs' coordinates to a row; NaN for null, which stands for no configuration.
 inline void add_outputs(const Mechanism& mechanism, const Configuration* configuration,
                         std::vector<double>& row) {
   for (const OutputIndex output : mechanism.outputs().keys()) {

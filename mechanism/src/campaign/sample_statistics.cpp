@@ -1,3 +1,4 @@
+// Histogram, mean, covariance and extremes, in one pass.
 #include <algorithm>
 #include <assur/mechanism/sample_statistics.hpp>
 #include <cmath>

@@ -1,4 +1,4 @@
-// Turns tolerances into random values of the parameters, and these into positions of outputs.
+// Random values of the parameters within their tolerances, and the positions of outputs there.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <assur/directions.hpp>
@@ -16,14 +16,14 @@ namespace assur::mechanism::campaign {
 
 namespace {
 
-/// The request reduced to positions, and to forces with the rates that these need.
+/// The request reduced to positions, and to forces with the rates that they require.
 Request positions_and_forces(const Request& request) {
   Request result = positions_alone(request);
   result.want.forces = result.want.velocity = result.want.acceleration = request.want.forces;
   return result;
 }
 
-/// The parameters that deviate and those that depend on them, each behind those in its formula.
+/// The deviating parameters and those that depend on them, each after those in its formula.
 std::vector<Deviation> changing_parameters(const Values& values,
                                            const Eigen::VectorXd& half_widths) {
   const Mechanism& mechanism = values.plan().mechanism;
@@ -43,7 +43,7 @@ std::vector<Deviation> changing_parameters(const Values& values,
   return changing;
 }
 
-/// The covariance of all parameters that a request names, for a law that is it; else empty.
+/// The covariance of all parameters in the request, for a covariance law; otherwise empty.
 Eigen::MatrixXd requested_covariance(const Mechanism& mechanism, const Request& request,
                                      const DeviationLaw& law) {
   if (law.kind != DeviationLaw::Kind::covariance) {
@@ -57,7 +57,7 @@ Eigen::MatrixXd requested_covariance(const Mechanism& mechanism, const Request& 
   return Plan(mechanism, with).values().spread().covariance;
 }
 
-/// The largest deviation of every parameter; zero where it does not deviate.
+/// The largest deviation of every parameter; zero for those that do not deviate.
 Eigen::VectorXd half_widths_of(const DeviationLaw& law, const Eigen::VectorXd& tolerances,
                                const Eigen::MatrixXd& requested) {
   if (law.kind == DeviationLaw::Kind::covariance) {
@@ -116,7 +116,7 @@ Eigen::MatrixXd factors_of(const std::vector<Deviation>& deviations,
 /// With more parameters, no second derivatives are computed.
 constexpr std::size_t most_with_spread = 200;
 
-/// The request of the nominal solution: sensitivities, and the variances of what is sampled.
+/// The request of the nominal solution: sensitivities, and the variances of the sampled parameters.
 Request nominal_request(const Request& request, const std::vector<Deviation>& deviations,
                         const DeviationLaw& law, const Eigen::MatrixXd& requested,
                         Mechanism& mechanism) {
@@ -162,8 +162,7 @@ Solution nominal_solution(const Plan& plan, std::size_t branch) {
   return solution;
 }
 
-/// The numbers of the wanted forces; NaN where there is no configuration, or where its rates are
-/// not known.
+/// The numbers of the requested forces; NaN without a configuration, or if its rates are unknown.
 std::vector<double> force_numbers_or_none(const Plan& plan, const Values& values,
                                           const Configuration* configuration) {
   const std::size_t count = force_columns(plan).size();
@@ -207,9 +206,9 @@ std::vector<NominalForce> nominal_forces(const Plan& plan, const Configuration& 
   return result;
 }
 
-/// The request of the samples: positions and wanted forces, near to a configuration. Links that
-/// drivers place stand alike in all configurations of a sample and so cannot distinguish them; if
-/// there are no others, they are named because a reference must name some.
+/// The request of the samples: positions and requested forces, near a configuration. Links that
+/// drivers place are alike in all configurations of a sample and so cannot distinguish them; if
+/// there are no others, they are named because a reference must name some link.
 Request sample_request(const Request& request, const Plan& plan, const Configuration& nominal,
                        Mechanism& mechanism) {
   Request result = positions_and_forces(request);
@@ -278,7 +277,7 @@ class Sampling::Worker {
 
   [[nodiscard]] const Solution& solution() const { return solution_; }
 
-  /// The reason is measured anew, with the numbers that have been set.
+  /// The reason is determined anew, with the present numbers.
   [[nodiscard]] std::string obstacle() const { return sampling_->plan_->obstacle(values_); }
 
   void add_row(std::uint64_t sample, std::vector<double>& rows) {
@@ -306,7 +305,7 @@ class Sampling::Worker {
   const Sampling* sampling_;
   Values values_;
   Solution solution_;
-  Table<ParameterIndex, double> numbers_;  ///< of the sample, where they change; else nominal
+  Table<ParameterIndex, double> numbers_;  ///< of the sample, where they change; otherwise nominal
   std::vector<std::pair<ParameterIndex, double>> changed_;
 };
 
@@ -325,7 +324,7 @@ Sampling::Sampling(const Mechanism& mechanism, const Request& request, std::size
   std::ranges::copy_if(changing_, std::back_inserter(deviations_),
                        [](const Deviation& one) { return one.half_width > 0; });
   if (deviations_.empty() && law_.kind == DeviationLaw::Kind::given) {
-    throw MechanismError("parameters", "no deviation is given that is not zero");
+    throw MechanismError("parameters", "all given deviations are zero; give one that is not");
   }
   if (law_.kind == DeviationLaw::Kind::covariance) {
     factors_ = campaign::factors_of(deviations_, requested);

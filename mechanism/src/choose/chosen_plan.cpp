@@ -19,13 +19,13 @@ namespace assur::mechanism::choose {
 
 namespace {
 
-/// What the families of a trial are worth.
+/// The use of the families in a trial.
 enum class Families : unsigned char {
   unexamined,  ///< the constraints that are left out may block them
-  examined     ///< the solver lists those that remain under all constraints
+  examined     ///< the solver lists those that persist under all constraints
 };
 
-/// Whether a plan without redundant joints can be assembled, whether these then hold in some
+/// Whether a plan without redundant joints can be assembled, whether these hold in some
 /// configuration, and if not, the error to report.
 struct PlanTrial {
   bool holds = false;
@@ -42,7 +42,7 @@ PlanTrial tried(const std::shared_ptr<const PlanData>& plan, Families families) 
   if (answer.refusal) {
     return {.refusal = std::move(answer.refusal)};
   }
-  if (solution.left_out.value_or(0) > 0) {  // it holds, beyond limits
+  if (solution.left_out.value_or(0) > 0) {  // a configuration exists, beyond limits
     return {.holds = true};
   }
   if (solution.status == SolutionStatus::no_assembly) {
@@ -59,7 +59,7 @@ PlanTrial tried(const std::shared_ptr<const PlanData>& plan, Families families) 
                                        [](const Family& one) { return one.mobility > 0; })};
 }
 
-/// Looks for the same mechanism without its redundant constraints.
+/// Searches for the same mechanism without its redundant constraints.
 class Chooser {
  public:
   Chooser(const Mechanism& mechanism, const Request& request, const OverConstrained& excess)
@@ -67,7 +67,7 @@ class Chooser {
             std::make_shared<const plan::Described>(plan::Described{mechanism, request, excess})),
         refusal_(excess) {}
 
-  /// Null where no way is found; `refuse` then says why.
+  /// Null if no choice of redundant constraints succeeds; `refuse` then gives the reason.
   [[nodiscard]] std::shared_ptr<const PlanData> choose() {
     for (const plan::BalancedMechanism& part : plan::ways_to_balance(*described_)) {
       has_groups_ = true;
@@ -94,8 +94,9 @@ class Chooser {
   }
 
  private:
-  /// Plans without the constraints that are left out of each over-constrained part when it is
-  /// planned alone. Null where there is only one such part, or where these do not hold.
+  /// Plans the mechanism without the constraints that are left out of each over-constrained part
+  /// when planned separately. Null if there is only one such part, or if these constraints do not
+  /// hold.
   [[nodiscard]] std::shared_ptr<const PlanData> planned_by_parts() {
     const Mechanism& mechanism = described_->mechanism;
     const auto parts = plan::overloaded_parts(mechanism, described_->excess);
@@ -115,7 +116,8 @@ class Chooser {
     return whole ? planned_without(*whole, Families::unexamined) : nullptr;
   }
 
-  /// What is left out of a part that is planned alone; nothing where that cannot be planned.
+  /// The constraints left out of a part that is planned separately; nothing if it cannot be
+  /// planned.
   [[nodiscard]] std::optional<std::vector<RedundantJoint>> left_out_of(
       const Mechanism& part) const {
     const plan::FoundStructure found = plan::found_structure(part);
@@ -136,8 +138,9 @@ class Chooser {
   }
 
   /// A plan without the redundant constraints, if these hold at the mechanism's own numbers and
-  /// where the drivers have gone on: constraints that hold in one position alone lock it. Otherwise
-  /// null, and `refusal_` is that of the way that fails by least, or of the first with a reason.
+  /// after the drivers advance: constraints that hold in one position alone lock the mechanism.
+  /// Otherwise null, and `refusal_` is that of the choice with the least gap, or of the first with
+  /// a reason.
   [[nodiscard]] std::shared_ptr<const PlanData> planned_without(const plan::BalancedMechanism& part,
                                                                 Families families) {
     try {
@@ -145,7 +148,7 @@ class Chooser {
       is_tried_ = true;
       return plan;
     } catch (const MechanismError& error) {
-      flaw_ = error;  // as where a slot would lead from a pin to another one at the same place
+      flaw_ = error;  // such as a slot from a pin to another one at the same place
       return nullptr;
     }
   }
@@ -154,7 +157,7 @@ class Chooser {
                                                              Families families) {
     constexpr double on = 0.01;
     constexpr double finer = 1e-4;     // where drivers have less room than `on`
-    constexpr double rounding = 1e-9;  // of ways that fail alike, the first is reported
+    constexpr double rounding = 1e-9;  // among choices that fail alike, the first is reported
     const auto with_others = [&](PlanData data, std::shared_ptr<const plan::Described> described) {
       data.others = std::make_shared<const plan::OtherPlans>(std::move(described), data.redundant);
       return std::make_shared<const PlanData>(std::move(data));
@@ -199,9 +202,9 @@ class Chooser {
 
   std::shared_ptr<const plan::Described> described_;
   OverConstrained refusal_;
-  std::optional<MechanismError> flaw_;  ///< of a way whose numbers cannot be used
-  bool has_groups_ = false;             ///< whether some way leaves known groups
-  bool is_tried_ = false;               ///< whether some way has numbers that can be used
+  std::optional<MechanismError> flaw_;             ///< of a choice with unusable numbers
+  bool has_groups_ = false;                        ///< whether some choice leaves supported groups
+  bool is_tried_ = false;                          ///< whether some choice has usable numbers
   std::optional<plan::BalancedMechanism> moving_;  ///< the first that moves at its own numbers
 };
 

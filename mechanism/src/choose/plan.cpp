@@ -1,3 +1,4 @@
+// Solution of a planned mechanism: all configurations, one of them, or the nearest.
 #include <algorithm>
 #include <assur/directions.hpp>
 #include <assur/mechanism/held_pairs.hpp>
@@ -15,7 +16,7 @@ namespace assur::mechanism::choose {
 
 namespace {
 
-/// Solves the values. Throws OverConstrained where redundant constraints hold nowhere.
+/// Solves at given values. Throws OverConstrained if redundant constraints hold nowhere.
 solve::Answer answered(const Values& values, const solve::Search& search,
                        const solve::Sought& sought, Solution& result) {
   const solve::Answer answer = solve::MechanismSolver(values).solve(search, sought, result);
@@ -138,7 +139,7 @@ std::string Plan::obstacle(const Values& values) const {
   Solution result;
   try {
     (void)solve::MechanismSolver(values).solve({.measures_gap = true}, solve::SoughtAll{}, result);
-  } catch (const MechanismError& error) {  // a law has no value where everything else closes
+  } catch (const MechanismError& error) {  // a law has no value although all groups close
     return error.what();
   }
   return result.reason;

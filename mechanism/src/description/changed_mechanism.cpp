@@ -1,5 +1,4 @@
-// Turns a mechanism into others: driven on, without a joint, with a slot for a pin, a pin for a
-// slide, or a part of it.
+// Variants of a mechanism: advanced drivers, a joint removed or weakened, or a part of the links.
 #include <algorithm>
 #include <assur/mechanism/mechanism.hpp>
 
@@ -57,7 +56,7 @@ Mechanism Mechanism::with_pin(JointIndex slide, FeatureIndex line) const {
   joint.type = JointType::pin_in_slot;
   const FeatureIndex first = joint.between[0];
   std::ranges::replace(joint.between, line, part.add_feature(std::move(pin)));
-  if (line == first) {  // A pin is measured from the slot, so the slot has to point back.
+  if (line == first) {  // A pin is measured from the slot, so the slot is reversed.
     Feature back = features_[joint.between[1]];
     back.name = joints_[slide].name + " as a slot";
     for (NumberIndex* along : {&back.along_x, &back.along_y}) {

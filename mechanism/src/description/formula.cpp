@@ -1,3 +1,4 @@
+// Formulas: compiled from expressions, simplified and inspected.
 #include <algorithm>
 #include <assur/mechanism/formula.hpp>
 

@@ -1,4 +1,4 @@
-// Turns links that spin freely on one pin into links that a driver holds at rest.
+// Links that spin freely on one pin, held at rest by drivers.
 #include <algorithm>
 #include <assur/mechanism/mechanism.hpp>
 
@@ -67,7 +67,7 @@ void Mechanism::hold_idle_links(const std::function<Formula(LinkIndex)>& angle_o
     }
   }
   if (description::freedoms_of(*this) > static_cast<int>(idle.size())) {
-    return;  // more than these can move: the mechanism is not complete, and none of them idle
+    return;  // other links can move: the mechanism is incomplete, and no link is idle
   }
   for (const auto& [link, pin] : idle) {
     if (joints_[pin].between.size() > 2) {  // the other links keep their pin
@@ -80,7 +80,7 @@ void Mechanism::hold_idle_links(const std::function<Formula(LinkIndex)>& angle_o
                  {},
                  {}};
       hold(joints_.add(std::move(held)), angle_of);
-    } else if (!driver_of(pin).exists()) {  // two links that have only each other are held once
+    } else if (!driver_of(pin).exists()) {  // two links pinned only to each other are held once
       joints_[pin].is_measured = true;
       hold(pin, angle_of);
     }

@@ -1,4 +1,4 @@
-// The loading of a mechanism: masses, forces, couples and springs, added one by one.
+// Masses, forces, couples and springs, added to a mechanism.
 #include <algorithm>
 #include <assur/mechanism/mechanism.hpp>
 #include <assur/text/quoted.hpp>

@@ -1,3 +1,4 @@
+// Links, joints, drivers and outputs, added to a mechanism with checks.
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/mechanism.hpp>
@@ -11,7 +12,7 @@ namespace assur::mechanism::description {
 
 namespace {
 
-/// Names and titles come to be lines of messages and comments of emitted code.
+/// Names and titles appear in lines of messages and comments of emitted code.
 void expect_no_control_character(const std::string& text, const std::string& part) {
   if (const std::size_t at = text::first_control_character(text); at < text.size()) {
     throw MechanismError(part, "the byte at offset " + std::to_string(at) + " of " +
@@ -30,7 +31,7 @@ void expect_new(bool is_known, const std::string& name, const std::string& part)
   }
 }
 
-/// Whether a number is zero, whatever the parameters are: no parameter occurs in it.
+/// Whether a number is zero for all parameters: no parameter occurs in it.
 bool is_always_zero(const Number& number) {
   return number.formula.parameters().empty() &&
          number.formula.evaluate<double>([](ParameterIndex) { return 0.0; }) == 0;
@@ -360,7 +361,7 @@ void Mechanism::expect_fitting(const Joint& joint, const std::string& part) cons
 void Mechanism::set_limits(const std::string& joint, const Given& lowest, const Given& highest) {
   const std::string part = "joints." + joint + ".limits";
   const JointIndex index = joint_named(joint, part);
-  (void)number(highest, part + "[1]");  // If this throws, the lowest limit stays as it was.
+  (void)number(highest, part + "[1]");  // If this throws, the lowest limit is unchanged.
   put_number(lowest, part + "[0]", joints_[index].lowest);
   put_number(highest, part + "[1]", joints_[index].highest);
 }

@@ -1,4 +1,4 @@
-// The order in which things that need one another can be computed, such as parameters in formulas.
+// Order of evaluation of items that depend on one another, such as parameters in formulas.
 #pragma once
 
 #include <algorithm>
@@ -7,10 +7,10 @@
 
 namespace assur::mechanism::description {
 
-/// All indices below `count`, each behind those that it needs, which `needs` lists. Where some need
-/// one another in a circle, `refuse` is called with it and has to throw: each needs the next, and
-/// the last the first. A list of open indices stands in for recursion, which a long chain would
-/// exhaust.
+/// All indices below `count`, each after those on which it depends, as listed by `needs`. If some
+/// depend on one another in a cycle, `refuse` is called with it and must throw: each depends on the
+/// next, and the last on the first. A list of open indices replaces recursion, which a long chain
+/// would exhaust.
 template <typename Index, typename Needs, typename Refuse>
 [[nodiscard]] std::vector<Index> order_of_needs(std::size_t count, const Needs& needs,
                                                 const Refuse& refuse) {

@@ -1,4 +1,4 @@
-// Turns the parameters of a mechanism into the order in which their formulas can be evaluated.
+// Order in which the formulas of a mechanism's parameters can be evaluated.
 #pragma once
 
 #include <assur/mechanism/mechanism.hpp>
@@ -6,8 +6,8 @@
 
 namespace assur::mechanism::description {
 
-/// All parameters, each behind those that its formula names. Throws MechanismError for a parameter
-/// that has no value, or that depends on itself.
+/// All parameters, each after those in its formula. Throws MechanismError for a parameter without a
+/// value, or one that depends on itself.
 [[nodiscard]] std::vector<ParameterIndex> parameter_order(const Mechanism& mechanism);
 
 }  // namespace assur::mechanism::description

@@ -1,4 +1,4 @@
-// Errors that all who describe a mechanism share, and the search for a part by its name.
+// Errors common to all descriptions of a mechanism, and the search for a part by name.
 #pragma once
 
 #include <assur/mechanism/error.hpp>
@@ -10,7 +10,7 @@
 
 namespace assur::mechanism::description {
 
-/// The error where `part` names a `what`, such as a link, that is none of `names`.
+/// The error for a reference in `part` to a `what`, such as a link, that is not in `names`.
 [[nodiscard]] inline MechanismError refusal_of_name(const std::string& part,
                                                     const std::string& what,
                                                     const std::string& name,
@@ -30,8 +30,8 @@ template <typename Key, typename Item>
   return key;
 }
 
-/// The error where `part` reads the coordinate of a joint of two links, of which nobody has said
-/// from which to which it is measured; `other_mend` follows the mend.
+/// The error for `part` if it reads the coordinate of a joint whose sense is not given;
+/// `other_mend` follows the remedy.
 [[nodiscard]] inline MechanismError refusal_of_measure(const std::string& part,
                                                        const std::string& joint,
                                                        const std::string& first,

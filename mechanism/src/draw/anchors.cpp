@@ -6,10 +6,10 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// Parts of the mechanism's size.
+/// Margins relative to the mechanism's size.
 constexpr double margin = 0.05;
 constexpr double step_ahead = 0.02;
-/// The part of the shortest cylinder that is its tube.
+/// The length of the tube, relative to the shortest cylinder.
 constexpr double tube_part = 0.88;
 
 Eigen::Vector2d carried(const Pose<double>& pose, const Eigen::Vector2d& point) {

@@ -1,4 +1,4 @@
-// Turns features of links into the points of a drawing.
+// Points of a drawing on features of links.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -6,7 +6,7 @@
 
 namespace assur::mechanism::draw {
 
-/// Where the coordinates of joints have been: the lowest and the highest displacement of each.
+/// The range of a joint's coordinate: its lowest and highest displacement.
 struct Reach {
   double lowest = 0, highest = 0;
 
@@ -17,13 +17,13 @@ struct Reach {
 };
 using Reaches = Table<JointIndex, std::optional<Reach>>;
 
-/// How far along its line a point stands from the feature's `through`.
+/// The position of a point along its line, from the feature's `through`.
 enum class Offset : unsigned char {
   none,
-  first_end,   ///< the lowest place of what slides along the line, and a margin before it
-  second_end,  ///< the highest, and a margin behind it
-  ahead,       ///< a short way, which shows a direction
-  mouth        ///< of a tube: just short of the rod's eye where the cylinder is shortest
+  first_end,   ///< before the lowest place of the sliding part, by a margin
+  second_end,  ///< behind the highest, by a margin
+  ahead,       ///< at a short distance, to show a direction
+  mouth        ///< of a tube: just short of the rod's eye of the shortest cylinder
 };
 
 /// A point of the drawing, as a place on a feature of a link.
@@ -34,8 +34,8 @@ struct Anchor {
   double sense = 1;       ///< -1 where they count against the line
 };
 
-/// The features of a mechanism in the frames of their links, at one set of values: a line along
-/// its x-axis.
+/// The features of a mechanism in the frames of their links, at one set of values; a line runs
+/// along its x-axis.
 using FeatureFrames = Table<FeatureIndex, Pose<double>>;
 [[nodiscard]] FeatureFrames feature_frames(const Mechanism& mechanism, const Values& values);
 
@@ -45,7 +45,7 @@ using LinkPoses = Table<LinkIndex, std::optional<Pose<double>>>;
 [[nodiscard]] LinkPoses link_poses(const Mechanism& mechanism, const Mechanism& planned,
                                    const Configuration& configuration);
 
-/// Includes the displacements of a configuration of the planned part in the joints' reaches.
+/// Includes the displacements of a configuration of the planned part in the joints' ranges.
 void include_displacements(const Mechanism& mechanism, const Mechanism& planned,
                            const Configuration& configuration, Reaches& reaches);
 
@@ -54,7 +54,7 @@ void include_displacements(const Mechanism& mechanism, const Mechanism& planned,
                                        const FeatureFrames& frames, const LinkPoses& poses,
                                        const Reaches& reaches, double size);
 
-/// The diagonal of the box about the points of a configuration's links; one where they are in one
+/// The diagonal of the box around the points of a configuration's links; one if they are all in one
 /// place.
 [[nodiscard]] double size_of(const Mechanism& mechanism, const FeatureFrames& frames,
                              const LinkPoses& poses);

@@ -1,4 +1,4 @@
-// Turns points into the outline of the link that holds them.
+// Convex hull of points, the outline of a link.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,9 +7,9 @@
 
 namespace assur::mechanism::draw {
 
-/// The corners of the convex hull, counter-clockwise, by their places: two where all points are on
-/// one line, one where all are within `same` of the first. Corners that stand out by less than a
-/// thousandth of the whole are left out.
+/// The indices of the corners of the convex hull, counter-clockwise: two if all points are on one
+/// line, one if all are within `same` of the first. Corners that protrude by less than a thousandth
+/// of the whole are omitted.
 [[nodiscard]] std::vector<std::size_t> convex_hull(const std::vector<Eigen::Vector2d>& points,
                                                    double same);
 

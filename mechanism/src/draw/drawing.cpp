@@ -1,4 +1,4 @@
-// Turns a mechanism, its configurations and its sweep into a drawing.
+// Drawing of a mechanism's configurations, with the traces of its sweep.
 #include <algorithm>
 #include <assur/mechanism/drawing.hpp>
 #include <assur/mechanism/plan.hpp>
@@ -11,7 +11,7 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// The configurations that are drawn, with their numbers.
+/// The configurations to draw, with their numbers.
 struct Chosen {
   Solution solution;
   std::vector<std::pair<int, std::size_t>> drawn;  ///< numbers from 1, places in the solution
@@ -27,7 +27,7 @@ struct Chosen {
                           : "no-assembly: " + plan.obstacle(values)));
 }
 
-/// Throws MechanismError where there is nothing to draw.
+/// Throws MechanismError if there is nothing to draw.
 Chosen chosen_of(const Plan& plan, const Values& values, const DrawingChoice& choice) {
   Chosen chosen;
   const bool alone = (choice.nearest || choice.configuration > 0) &&

@@ -1,5 +1,4 @@
-// Turns a drawing into a DXF file for CAD: the ASCII form of R12, which every program reads and
-// which needs neither handles nor objects.
+// Drawings as DXF files for CAD, in the ASCII form of R12, which needs neither handles nor objects.
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/drawing.hpp>
@@ -19,13 +18,13 @@ namespace {
 
 using Eigen::Vector2d;
 
-// Parts of the drawing's size.
+// Lengths relative to the drawing's size.
 constexpr double pin_part = 0.008;
 constexpr double text_part = 0.016;
 constexpr double block_part = 0.02;
 
-/// What `$INSUNITS` calls a unit; R12 has no such variable, and programs that do not know it skip
-/// it.
+/// The code of a unit in `$INSUNITS`; R12 has no such variable, and programs that do not support it
+/// skip it.
 struct DxfUnit {
   const char* name;
   int code;
@@ -38,14 +37,14 @@ constexpr std::array dxf_units = {DxfUnit{"in", 1},  DxfUnit{"ft", 2}, DxfUnit{"
 constexpr std::array dxf_colours = {5, 30, 94, 211, 40, 151};
 constexpr int dxf_ink = 7;
 
-/// A layer, identified by what it holds and by the name that it should have.
+/// A layer, identified by its content, and its preferred name.
 struct Layer {
   enum class Holds : unsigned char { ground, link, pins, outputs, path, events } holds;
   std::string name;
 };
 
-/// Names as R12 allows them: capital letters, digits, `_` and `-`, 31 at most; two that would
-/// become the same are distinguished by a number.
+/// Names as R12 allows them: capital letters, digits, `_` and `-`, 31 at most; a number
+/// distinguishes two that would become equal.
 class LayerNames {
  public:
   const std::string& of(const Layer& layer) {
@@ -77,11 +76,11 @@ class LayerNames {
   std::set<std::string> taken_;
 };
 
-/// The text in ASCII, since R12 has no other letters: these are written like `\\U+00B5`.
+/// The text in ASCII, the only letters of R12: others are written as in `\\U+00B5`.
 std::string in_ascii(const std::string& text) {
   std::string result;
   std::uint32_t letter = 0;
-  int more = 0;  // bytes of the letter
+  int more = 0;  // remaining bytes of the letter
   for (const char byte : text.substr(0, text::first_byte_outside_utf8(text))) {
     const auto bits = static_cast<unsigned char>(byte);
     if (bits < 0x80U) {
@@ -153,7 +152,7 @@ class DxfWriter {
                                           : Layer{Layer::Holds::link, before + shape.link};
   }
 
-  /// Puts the entities that follow on a layer.
+  /// Puts the following entities on a layer.
   void layer(const Layer& wanted, int colour) {
     layer_ = names_.of(wanted);
     layers_.emplace(layer_, colour);
@@ -229,8 +228,8 @@ class DxfWriter {
     polyline({from + aside, to + aside, to - aside, from - aside}, true);
   }
 
-  /// Adds the fixed shapes, which are the same in all stances, except for how far things slide
-  /// along them.
+  /// Adds the fixed shapes, which are the same in all stances, except for the range of parts that
+  /// slide along them.
   void add_ground() {
     for (const Shape& shape : drawing_.shapes) {
       if (shape.fixed) {

@@ -1,4 +1,4 @@
-// One HTML page of a mechanism and its sweep that needs no other file.
+// Self-contained HTML page of a mechanism and its sweep.
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/drawing.hpp>
@@ -21,7 +21,7 @@ namespace {
 
 /// The bytes of the page itself, its scripts and its shapes.
 constexpr std::size_t bytes_beside_numbers = 160'000;
-/// The most bytes of numbers; more do not make a page better.
+/// The most bytes of numbers; more do not improve a page.
 constexpr std::size_t most_number_bytes = 750'000;
 /// The bytes of one number in base 64.
 constexpr double bytes_of_number = sizeof(float) * 4 / 3.0;
@@ -91,7 +91,7 @@ std::string file_of_page(std::string_view name) {
   return "";
 }
 
-/// The page's scripts: each one uses those before it, and those after it once the page runs.
+/// The page's scripts: while it loads, each one uses only earlier ones.
 std::string script_of_page() {
   std::string script;
   for (const char* name :
@@ -103,7 +103,7 @@ std::string script_of_page() {
   return script;
 }
 
-/// The colours of branches and of all else as variables of the style.
+/// The colours of branches and of all other parts as variables of the style.
 std::string colours_of_page(const char* Colour::*shade) {
   std::string text = ":root{--ink:" + std::string(ink.*shade) + ";--muted:" + muted.*shade +
                      ";--paper:" + paper.*shade;
@@ -113,7 +113,7 @@ std::string colours_of_page(const char* Colour::*shade) {
   return text + "}";
 }
 
-/// The page with texts in place of their names in braces; braces within the texts are left alone.
+/// The page with texts inserted for their names in braces; braces within the texts are unchanged.
 std::string filled(const std::string& page, const std::map<std::string, std::string>& texts) {
   std::string result;
   std::size_t done = 0;
@@ -125,15 +125,15 @@ std::string filled(const std::string& page, const std::map<std::string, std::str
   return result + page.substr(done);
 }
 
-/// The scene that the page solves for other values, and the module that does so.
+/// The scene that the page solves for other values, and the module that solves it.
 Json solved_anew(const SceneText& scene) {
   return {{"text", scene.text},
           {"settings", scene.settings},
           {"module", file_of_page("mechanism.wasm.lzma.base64")}};
 }
 
-/// Angles and forces are left to the module where there is one, since they need as much room as all
-/// else.
+/// Angles and forces are left to the module if there is one, since they need as much room as the
+/// rest.
 std::string page_of(const Mechanism& mechanism, const Request& request, const Json& scene,
                     int chosen) {
   const std::size_t taken = bytes_beside_numbers + inside_html(scene).size();

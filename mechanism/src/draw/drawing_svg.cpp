@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// What does not depend on the colours, which follow in two sets.
+/// The part of the style that does not depend on the two sets of colours.
 constexpr const char* style = R"(text{font:10px sans-serif}
 .label{text-anchor:middle;font-style:italic}
 path{fill:none;stroke-linecap:round;stroke-linejoin:round;stroke-width:1}
@@ -60,7 +60,7 @@ std::string group_of(int configuration, const std::string& more, const std::stri
   return "<g class=\"c" + colour + more + "\">\n" + inside + "</g>\n";
 }
 
-/// A curve without the points that are too close to be seen.
+/// A curve without points that are indistinguishably close.
 std::string curve(const std::vector<Vector2d>& points, const Picture& picture) {
   constexpr double closest = 0.3;
   std::string text = "M";
@@ -121,7 +121,7 @@ void add_lines(const std::vector<Vector2d>& corners, bool closed, double weight,
   }
 }
 
-/// How far the edges of a shape, and the hatching of the ground, are from its line.
+/// The distances of a shape's edges, and of the ground's hatching, from its line.
 std::vector<double> half_widths(const Shape& shape) {
   switch (shape.symbol) {
     case Symbol::tube:
@@ -202,8 +202,8 @@ std::string links(const Drawing& drawing, const Picture& picture) {
   return written_moving(moments, drawing.seconds);
 }
 
-/// The names of pins and outputs, each once at its place. In a moving picture only points that stay
-/// in place have names.
+/// The names of pins and outputs, each once at its place. In a moving picture only points at rest
+/// have names.
 std::string labels(const Drawing& drawing, const Picture& picture) {
   LabelPlacer placer(obstacles_of(drawing, picture));
   const Stance& stance = drawing.stances[drawing.emphasised];

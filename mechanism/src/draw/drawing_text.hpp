@@ -1,4 +1,4 @@
-// Turns numbers and names into the text of a drawing.
+// Text of numbers and names in a drawing.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,12 +25,12 @@ namespace assur::mechanism::draw {
   return coordinate(place.x()) + "," + coordinate(place.y());
 }
 
-/// `name="value"`, with a blank before it.
+/// `name="value"`, preceded by a blank.
 [[nodiscard]] inline std::string attribute(const std::string& name, double value) {
   return " " + name + "=\"" + coordinate(value) + "\"";
 }
 
-/// The shortest text that is read back as this number.
+/// The shortest text that parses to this number.
 [[nodiscard]] inline std::string exact(double value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value);

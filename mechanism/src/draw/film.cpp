@@ -16,10 +16,10 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// An animation of fewer steps is not smooth; more steps make no visible difference.
+/// The number of steps for a smooth animation; more steps make no visible difference.
 constexpr int fewest_steps = 180;
 constexpr int most_steps = 720;
-/// With more parameters no derivatives are taken, since a picture would take too long.
+/// With more parameters no derivatives are computed, since a picture would take too long.
 constexpr std::size_t most_derived = 200;
 
 /// A configuration at a step.
@@ -65,8 +65,8 @@ Eigen::Matrix2d covariance_of(const Point& point, const Spread& spread) {
 
 class FilmMaker {
  public:
-  /// `varied` is the request with its covariance, which takes no part in solving: an ellipse needs
-  /// no second derivatives.
+  /// `varied` is the request with its covariance, which is not used in solving: an ellipse needs no
+  /// second derivatives.
   FilmMaker(const Mechanism& mechanism, const Request& request, const Request& varied,
             const Filming& filming)
       : mechanism_(mechanism),
@@ -150,7 +150,7 @@ class FilmMaker {
                        nullptr, nullptr, [&](const Circuits& circuits) { circuits_ = circuits; }});
   }
 
-  /// Gives the swept parameter a value, where numbers of a step depend on it.
+  /// Sets the swept parameter, if numbers of a step depend on it.
   void stand_at(double parameter) {
     if (stands_at_ == parameter) {
       return;
@@ -193,7 +193,7 @@ class FilmMaker {
     rows_[branch].push_back(std::move(row));
   }
 
-  /// The film of what was recorded; the features of each step are evaluated once.
+  /// The film of the recorded configurations; the features of each step are evaluated once.
   Film finished() {
     if (rows_.empty()) {
       const Values values = plan_.values();
@@ -246,7 +246,7 @@ class FilmMaker {
     return film;
   }
 
-  /// The places of points at a recorded step, x and y of each.
+  /// The coordinates x and y of each point at a recorded step.
   [[nodiscard]] std::vector<double> places_at(int number, const Row& row,
                                               const std::vector<Anchor>& points,
                                               const std::vector<FeatureFrames>& frames,
@@ -262,9 +262,9 @@ class FilmMaker {
     return places;
   }
 
-  /// The branch whose points, between the two steps beside the pose that was seen, are nearest to
-  /// it, by the sum of the squares of their distances; nothing if no branch exists there, or if the
-  /// pose is one of other shapes.
+  /// The branch whose points, between the two steps beside the given pose, are nearest to it, by
+  /// the sum of the squares of their distances; nothing if no branch exists there, or if the pose
+  /// has other shapes.
   [[nodiscard]] std::optional<int> nearest_to_seen(const std::vector<Anchor>& points,
                                                    const std::vector<FeatureFrames>& frames,
                                                    double size) const {

@@ -8,7 +8,7 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// Where a pin is, on one of the links that it joins.
+/// The place of a pin, on one of the links that it joins.
 Eigen::Vector2d place_of(const ElementaryJoint& pin, LinkIndex link, const Values& values,
                          const Configuration& configuration) {
   const Pose<double>& own = values.frame(pin.on(link)).pose;

@@ -1,4 +1,4 @@
-// Angles, transmission angles and forces of the configurations of a film.
+// Angles, transmission angles and forces in the configurations of a film.
 #pragma once
 
 #include <assur/mechanism/plan.hpp>
@@ -11,7 +11,7 @@
 
 namespace assur::mechanism::draw {
 
-/// Two links that a pin joins, each with another pin on the links that hold the dyad.
+/// Two links joined by a pin, each with another pin on the links that hold the dyad.
 struct PinnedDyad {
   ElementaryJoint inner, one, other;
 };
@@ -20,7 +20,7 @@ struct PinnedDyad {
 [[nodiscard]] std::vector<PinnedDyad> dyads_of_pins(const Structure& structure);
 
 /// The angle at the inner pin between the lines to the outer pins, in radians from 0 to pi: force
-/// goes from one link to the other best at pi/2, and not at all at 0 and pi.
+/// transmission is best at pi/2, and impossible at 0 and pi.
 [[nodiscard]] double transmission_angle(const PinnedDyad& dyad, const Values& values,
                                         const Configuration& configuration);
 
@@ -31,14 +31,15 @@ struct DetailRow {
   std::vector<double> forces;         ///< efforts, then x and y of each force
 };
 
-/// What of a plan is filmed beside the outputs.
+/// The quantities of a plan that are filmed beside the outputs.
 class FilmDetails {
  public:
   explicit FilmDetails(const Plan& plan);
 
-  /// Gives a film the names of what is filmed: those of forces once a row has been made.
+  /// Sets the names of the filmed quantities in a film: those of forces once a row has been
+  /// computed.
   void name(Film& film) const;
-  /// `values` are those with which the configuration was solved.
+  /// `values` are those at which the configuration was solved.
   [[nodiscard]] DetailRow row_of(const Values& values, const Configuration& configuration);
 
  private:

@@ -7,7 +7,8 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// Where a joint transmits its force: at the pin, or at the `through` of the second link's line.
+/// The place at which a joint transmits its force: the pin, or the `through` of the second link's
+/// line.
 FeatureIndex place_of(const Mechanism& mechanism, const Joint& joint) {
   const FeatureIndex second = joint.between.back();
   return joint.type == JointType::pin_in_slot && mechanism.features()[second].is_line

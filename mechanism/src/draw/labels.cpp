@@ -8,7 +8,7 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// The height of capital letters, by which a text is centred.
+/// The height of capital letters, on which a text is centred.
 constexpr double letter_height = 0.72 * text_height;
 constexpr double gap = 1;
 
@@ -17,7 +17,7 @@ bool overlap(const Box& one, const Box& other) {
          (other.lowest.array() < one.highest.array()).all();
 }
 
-/// Whether a part of the line is inside the box: what the box's four sides leave of it.
+/// Whether a part of the line is inside the box, found by clipping at its four sides.
 bool crosses(const Obstacles::Line& line, const Box& box) {
   double first = 0;
   double last = 1;
@@ -42,7 +42,7 @@ bool crosses(const Obstacles::Line& line, const Box& box) {
 
 double text_width(const std::string& text) {
   const auto letters = std::count_if(text.begin(), text.end(), [](char byte) {
-    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;  // begins a letter in UTF-8
+    return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;  // first byte of a letter in UTF-8
   });
   return 0.62 * text_height * static_cast<double>(letters);
 }

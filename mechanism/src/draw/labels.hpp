@@ -1,4 +1,4 @@
-// Turns points with names into texts beside them that do not overlap.
+// Placement of texts beside points without overlap.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,13 +12,13 @@ struct Box {
   Eigen::Vector2d lowest, highest;
 };
 
-/// What labels keep away from.
+/// The shapes that labels avoid.
 struct Obstacles {
   Box inside;              ///< labels stay within it
-  std::vector<Box> boxes;  ///< no label touches one
+  std::vector<Box> boxes;  ///< labels touch none of them
   struct Line {
     Eigen::Vector2d from, to;
-    double weight;  ///< how bad it is to lie across it
+    double weight;  ///< the cost of a label across it
   };
   std::vector<Line> lines;
 };
@@ -30,11 +30,11 @@ struct Label {
 };
 
 constexpr double text_height = 10;
-/// About how wide a text is in a plain font of that height.
+/// The approximate width of a text in a plain font of that height.
 [[nodiscard]] double text_width(const std::string& text);
 
-/// Places texts beside their points where they are least in the way; a text without a free place is
-/// left out.
+/// Places texts beside their points where they obstruct least; a text without a free place is
+/// omitted.
 class LabelPlacer {
  public:
   explicit LabelPlacer(Obstacles obstacles) : obstacles_(std::move(obstacles)) {}
@@ -42,7 +42,7 @@ class LabelPlacer {
   [[nodiscard]] const std::vector<Label>& labels() const { return labels_; }
 
  private:
-  /// The cost of a place; infinite where it is not free.
+  /// The cost of a place; infinite if it is occupied.
   [[nodiscard]] double cost(const Box& box) const;
 
   Obstacles obstacles_;

@@ -1,4 +1,4 @@
-// Turns one branch of a film into a drawing that moves.
+// Moving drawing of one branch of a film.
 #include <algorithm>
 #include <assur/mechanism/drawing.hpp>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace assur::mechanism::draw {
 namespace {
 
 constexpr double seconds_of_sweep = 4;
-/// The most moments; points move straight between two of them.
+/// The most moments; points move along straight lines between them.
 constexpr std::size_t most_moments = 72;
 constexpr std::size_t most_numbers = 40'000'000;
 constexpr std::size_t numbers_of_output = 6;

@@ -1,4 +1,4 @@
-// Turns the numbers of configurations into colours and dashes that tell them apart.
+// Distinct colours and dashes for the numbers of configurations.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@ struct Colour {
   const char* dark;   ///< on nearly black
 };
 
-/// The colours of Okabe and Ito, which colour-blind people can tell apart, too, without their
-/// yellow, which fades on white. On black all are lighter.
+/// The colours of Okabe and Ito, which colour-blind people can distinguish, without their yellow,
+/// which is too pale on white. On black all are lighter.
 inline constexpr std::array<Colour, 6> colours = {{{"#0072b2", "#5b9dff"},
                                                    {"#d55e00", "#ff8b3d"},
                                                    {"#009e73", "#35cfa0"},

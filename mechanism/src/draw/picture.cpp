@@ -1,4 +1,4 @@
-// The scale and place of a drawing in its picture.
+// Scale and place of a drawing in its picture.
 #include <algorithm>
 #include <cmath>
 
@@ -9,7 +9,7 @@ namespace assur::mechanism::draw {
 namespace {
 
 constexpr double edge = 17;
-constexpr double tallest = 330;  ///< of what is drawn, so that a picture fits a column of a page
+constexpr double tallest = 330;  ///< the tallest drawing, so that a picture fits a column of a page
 
 }  // namespace
 
@@ -38,7 +38,7 @@ Picture picture_of(const Drawing& drawing, double legend) {
   const double room = Picture::width - 2 * edge;
   double scale = std::min(room / size.x(), tallest / size.y());
   if (!std::isfinite(scale)) {
-    scale = 1;  // everything is in one place
+    scale = 1;  // all points coincide
   }
   const double side = (Picture::width - scale * size.x()) / 2;
   return {scale * size.y() + 2 * edge + legend, scale, lowest.x() - side / scale,

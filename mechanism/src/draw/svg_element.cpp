@@ -10,7 +10,7 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// The text of an element that contains the text `inside`, which animates it.
+/// The text of an element with the text `inside`, which animates it.
 std::string element_with(const SvgElement& element, const std::string& inside) {
   const std::string name = element.places.front().first == "d" ? "path" : "circle";
   std::string text = "<" + name + " class=\"" + element.kind + "\"";

@@ -1,4 +1,4 @@
-// The line below a picture: its scale, its colours, its marks, its forces.
+// Legend below a picture: its scale, colours, marks and forces.
 #include <algorithm>
 #include <assur/text/numbers.hpp>
 #include <assur/text/xml.hpp>
@@ -19,19 +19,19 @@ constexpr double row_height = 15;
 constexpr double legend_side = 8;
 constexpr double longest_bar = 80;
 
-/// The usual words for an event.
+/// The usual term for an event.
 std::string words_for(const std::string& event) {
   return event == "fold" || event == "birth" ? "dead centre"
          : event == "crossing"               ? "change point"
                                              : event;
 }
 
-/// Entries one after the other, in as many rows as it takes.
+/// Entries one after the other, in as many rows as they need.
 class Rows {
  public:
   explicit Rows(double top) : top_(top) {}
 
-  /// Takes room for an entry; returns the left end of its middle line.
+  /// Reserves room for an entry; returns the left end of its middle line.
   Vector2d take(double width) {
     if (at_ > legend_side && at_ + width > Picture::width - legend_side) {
       at_ = legend_side;
@@ -108,7 +108,7 @@ std::string legend_of_marks(const Drawing& drawing, Rows& rows) {
   return text;
 }
 
-/// The arrow of a round force.
+/// The arrow of a force with a round number.
 std::string scale_of_forces(const Drawing& drawing, double scale, Rows& rows) {
   const double pace = scale * drawing.length_of_force;
   if (drawing.forces.empty() || !(pace > 0)) {

@@ -1,4 +1,4 @@
-// The parts of a picture in SVG: its scale, its elements, the shapes of a mechanism, its legend.
+// Parts of a picture in SVG: scale, elements, shapes of a mechanism, legend.
 #pragma once
 
 #include <assur/mechanism/drawing.hpp>
@@ -29,17 +29,17 @@ struct Picture {
 /// A path or a circle.
 struct SvgElement {
   std::string kind;  ///< its class
-  /// The attributes that say where it is: `d`, or `cx` and `cy`.
+  /// The attributes for its position: `d`, or `cx` and `cy`.
   std::vector<std::pair<std::string, std::string>> places;
-  std::string more = {};   ///< other attributes, each with a blank before it
-  std::string title = {};  ///< what it is called
+  std::string more = {};   ///< other attributes, each preceded by a blank
+  std::string title = {};  ///< its name
 };
 using SvgElements = std::vector<SvgElement>;
 
 /// The SVG of elements.
 [[nodiscard]] std::string written(const SvgElements& elements);
 
-/// The SVG of elements at several moments, which follow one another at equal times, over and over.
+/// The SVG of elements at several moments, repeated at equal intervals.
 [[nodiscard]] std::string written_moving(const std::vector<SvgElements>& moments, double seconds);
 
 /// The ground's part: guides, slots and supports.
@@ -51,7 +51,7 @@ using SvgElements = std::vector<SvgElement>;
 [[nodiscard]] SvgElements outline_elements(const Drawing& drawing, const Stance& stance,
                                            const Picture& picture);
 
-/// How high the legend is, in units of the picture.
+/// The height of the legend, in units of the picture.
 [[nodiscard]] double legend_height(const Drawing& drawing);
 /// The elements of the legend, below the drawing.
 [[nodiscard]] std::string legend_elements(const Drawing& drawing, const Picture& picture);
@@ -60,7 +60,7 @@ using SvgElements = std::vector<SvgElement>;
 [[nodiscard]] std::string mark_element(const std::string& event, const Eigen::Vector2d& at,
                                        const std::string& title);
 
-/// An arrow between two places of the picture; nothing where it is too short to be seen.
+/// An arrow between two places of the picture; empty if it is too short to be visible.
 [[nodiscard]] std::string arrow_element(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                                         const std::string& title);
 

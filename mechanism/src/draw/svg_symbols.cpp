@@ -1,4 +1,4 @@
-// The shapes of a stance as elements of a picture.
+// Shapes of a stance as elements of a picture.
 #include <array>
 #include <cmath>
 #include <initializer_list>

@@ -11,8 +11,8 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// The number of pieces of a curve: enough for it to look smooth, whatever the steps of the scene's
-/// own table are.
+/// The number of pieces of a curve, enough for a smooth appearance, whatever the steps of the
+/// scene's own table are.
 constexpr int pieces = 180;
 
 class WayFollower {
@@ -41,8 +41,8 @@ class WayFollower {
       }
       return std::move(swept_);
     }
-    // A branch has the number of its configuration where its sweep begins, so that it is followed
-    // from there both ways.
+    // A branch has the number of its configuration at the start of its sweep, so it is followed
+    // from there in both directions.
     starts_here_ = true;
     follow(here, from, static_cast<int>(std::lround(part * pieces)));
     for (Trace& trace : swept_.traces) {
@@ -80,7 +80,7 @@ class WayFollower {
     }
   }
 
-  /// The place of a branch among the configurations that are drawn; their count if it is not there.
+  /// The index of a branch among the drawn configurations; their count if it is not among them.
   [[nodiscard]] std::size_t place_of(int branch) const {
     return static_cast<std::size_t>(
         std::find(configurations_.begin(), configurations_.end(), branch) -
@@ -156,7 +156,7 @@ class WayFollower {
   bool starts_here_ = false;
   bool one_alone_ = false;
   SweepTraces swept_;
-  std::map<TraceKey, std::size_t> open_, first_;  ///< the traces that go on, and that begin here
+  std::map<TraceKey, std::size_t> open_, first_;  ///< those that continue, and that begin here
   std::map<int, int> last_step_;
 };
 

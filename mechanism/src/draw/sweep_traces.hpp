@@ -1,4 +1,4 @@
-// Turns the sweep of a request into what a drawing shows of it.
+// Traces of outputs and singular events over the sweep of a request, for a drawing.
 #pragma once
 
 #include <assur/mechanism/drawing.hpp>
@@ -12,18 +12,18 @@ namespace assur::mechanism::draw {
 struct SweepTraces {
   std::vector<Trace> traces;
   std::vector<Mark> marks;
-  /// How far joints go, for each of the configurations in the order in which they were given.
+  /// The ranges of joints, for each of the configurations in the given order.
   std::vector<Reaches> reaches;
 };
 
-/// Follows the branches that go through configurations of the mechanism at its own values, by their
-/// numbers. Where these values are not in the sweep, it is not known which branch goes through
-/// which configuration, and the traces of all branches have configuration 0. Without a sweep, and
-/// where there are more branches than can be followed, there are no traces.
+/// Follows the branches through configurations of the mechanism at its own values, by their
+/// numbers. If these values are not in the sweep, it is unknown which branch goes through which
+/// configuration, and the traces of all branches have configuration 0. Without a sweep, and if
+/// there are too many branches to follow, there are no traces.
 [[nodiscard]] SweepTraces traces_of_sweep(const Mechanism& mechanism, const Request& request,
                                           const std::vector<int>& configurations);
 
-/// What an event of a sweep is, and the numbers of its branches: `fold 1 2 on 3`.
+/// The kind of a sweep's event, and the numbers of its branches, from `fold 1 2 on 3`.
 [[nodiscard]] std::pair<std::string, std::vector<int>> parts_of_event(const std::string& event);
 
 }  // namespace assur::mechanism::draw

@@ -8,7 +8,7 @@ namespace assur::mechanism::draw {
 
 namespace {
 
-/// A cylinder that is shorter has no room for its tube.
+/// The shortest cylinder with room for its tube.
 constexpr double shortest_cylinder = 0.03;
 constexpr double same_place = 1e-9;
 
@@ -65,7 +65,7 @@ class SymbolMaker {
     result_.points.push_back(anchor);
     return result_.points.size() - 1;
   }
-  /// The point of a feature: that of its pin, where it has one.
+  /// The point of a feature: that of its pin, if it has one.
   std::size_t point(FeatureIndex feature) {
     std::optional<std::size_t>& place = point_of_[feature];
     if (!place) {
@@ -95,7 +95,7 @@ class SymbolMaker {
     }
   }
 
-  /// A pin in the slot of a link, or of the ground.
+  /// Adds a pin in a slot of a link, or of the ground.
   void add_slot(JointIndex joint) {
     const Joint& at = mechanism_.joints()[joint];
     const bool line_first = mechanism_.features()[at.between[0]].is_line;
@@ -105,8 +105,8 @@ class SymbolMaker {
     add({Symbol::pin, "", at.name, is_ground(link(pin)), {point(pin)}});
   }
 
-  /// Adds a slide: a cylinder, or else a block on a line, which is that of the ground or of the
-  /// link that reaches farther from it.
+  /// Adds a slide: a cylinder, or else a block on a line, which belongs to the ground or to the
+  /// link that extends farther from it.
   void add_slide(JointIndex joint) {
     const Joint& at = mechanism_.joints()[joint];
     const FeatureIndex first = at.between[0];
@@ -127,7 +127,7 @@ class SymbolMaker {
     add({Symbol::block, link_name(block), at.name, false, {corner(block), ahead}});
   }
 
-  /// The line along which something slides, from end to end; a link reaches to both.
+  /// Adds the line along which a part slides, from end to end; a link extends to both.
   void add_line(Symbol symbol, JointIndex joint, FeatureIndex line, double sense) {
     const std::vector<std::size_t> ends = {add(Anchor{line, Offset::first_end, joint, sense}),
                                            add(Anchor{line, Offset::second_end, joint, sense})};
@@ -142,7 +142,7 @@ class SymbolMaker {
     return at;
   }
 
-  /// How far a link's points are from the `through` of one of its lines.
+  /// The largest distance of a link's points from the `through` of one of its lines.
   [[nodiscard]] double extent(FeatureIndex line) const {
     double farthest = 0;
     const Pose<double>& from = seen_.frames[line];
@@ -156,7 +156,7 @@ class SymbolMaker {
   }
 
   /// Whether a slide between two moving links is drawn as a cylinder: a driver moves it, or it has
-  /// an eye at either end and nothing else; and it keeps some length all the way.
+  /// an eye at either end and nothing else; and its length is never too short.
   [[nodiscard]] bool is_cylinder(JointIndex joint) const {
     const Joint& at = mechanism_.joints()[joint];
     const std::optional<Reach>& reach = seen_.reaches[joint];
@@ -170,7 +170,7 @@ class SymbolMaker {
            (mechanism_.driver_of(joint).exists() || eyes_alone);
   }
 
-  /// Adds the links, after the joints have added the points to which their links reach.
+  /// Adds the links, after the joints have added the points to which the links extend.
   void add_links() {
     for (const LinkIndex link : mechanism_.links().keys()) {
       if (is_ground(link) || !is_drawn(link)) {

@@ -1,4 +1,4 @@
-// Turns a mechanism into the shapes by which its links and joints are drawn.
+// Shapes that represent the links and joints of a mechanism.
 #pragma once
 
 #include <assur/mechanism/drawing.hpp>
@@ -7,13 +7,13 @@
 
 namespace assur::mechanism::draw {
 
-/// The shapes, and the points that they refer to.
+/// The shapes, and the points to which they refer.
 struct Symbols {
   std::vector<Shape> shapes;
   std::vector<Anchor> points;
 };
 
-/// What the choice of symbols depends on: how the links look, and how far joints go.
+/// The data that determine the symbols: the looks of the links, and the ranges of joints.
 struct Appearance {
   const Mechanism& mechanism;
   const FeatureFrames& frames;

@@ -10,7 +10,7 @@ namespace {
 constexpr const char* no_line =
     R"(a line is missing: "along": ["A", "D"], or "direction": [dx, dy] with "at")";
 
-/// The line that a joint of `links` names.
+/// The line that a joint between `links` names.
 DrawnLine named_line(const DrawnJoint& joint, DrawnPointIndex at, const DrawnParts& parts,
                      const Mechanism& mechanism, const DrawnNames& names) {
   const std::string part = "joints." + joint.name;
@@ -36,7 +36,7 @@ DrawnLine named_line(const DrawnJoint& joint, DrawnPointIndex at, const DrawnPar
   return {at, {}, from, from + Vector{component(0), component(1)}, part};
 }
 
-/// A line that joint features lie on has a name that no point and no other feature of the link has.
+/// A name for a line of a joint that no point and no other feature of the link has.
 std::string name_of_line(const std::string& joint, LinkIndex link, const DrawnParts& parts,
                          const Mechanism& mechanism) {
   std::string name = joint + "_line";
@@ -52,7 +52,7 @@ std::string name_of_line(const std::string& joint, LinkIndex link, const DrawnPa
   return name;
 }
 
-/// Adds a line to a link, and returns the name of the feature with that of the link.
+/// Adds a line to a link, and returns the feature's name, preceded by the link's.
 std::string add_line(const std::string& joint, const std::string& link, const PlacedLine& line,
                      const DrawnParts& parts, Mechanism& mechanism) {
   const LinkIndex index = index_of(mechanism.links(), link);

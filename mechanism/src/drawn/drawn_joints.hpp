@@ -1,4 +1,4 @@
-// Turns the explicit joints of a drawing into features of links and joints of a mechanism.
+// Explicit joints of a drawing, added to a mechanism with the features that they need.
 #pragma once
 
 #include <assur/mechanism/drawn_mechanism.hpp>
@@ -11,8 +11,8 @@
 
 namespace assur::mechanism::drawn {
 
-/// The link and the point of an end `link.point` of a joint; an index that does not exist stands
-/// for a link or a point that is not drawn.
+/// The link and the point of an end `link.point` of a joint; the index of a link or a point that is
+/// not drawn does not exist.
 struct DrawnEnd {
   DrawnLinkIndex link;
   DrawnPointIndex point;
@@ -25,7 +25,7 @@ struct ResolvedJoint {
   std::vector<DrawnEnd> ends;         ///< of `between`
   DrawnPointIndex at;                 ///< of a pin
   std::optional<DrawnLine> line;      ///< of a slot or slide
-  std::optional<Formula> coordinate;  ///< as drawn; nothing if the drawing does not tell it
+  std::optional<Formula> coordinate;  ///< as drawn; nothing if the drawing does not determine it
 };
 
 /// Finds links and points of a drawing by their names. Throws MechanismError for others.
@@ -36,16 +36,17 @@ struct DrawnNames {
   std::function<bool(const std::string& name)> has_point;
 };
 
-/// Resolves the names of a joint, and finds its coordinate as drawn. No number decides here.
+/// Resolves the names of a joint, and finds its coordinate as drawn, without any decision by
+/// numbers.
 [[nodiscard]] ResolvedJoint resolved(const DrawnJoint& joint, const DrawnParts& parts,
                                      const Mechanism& mechanism, const DrawnNames& names);
 
-/// How far the pin of a joint is drawn beside its slot; zero for other joints.
+/// The distance of a joint's pin from its slot as drawn; zero for other joints.
 [[nodiscard]] double gap_of(const ResolvedJoint& joint, const DrawnParts& parts,
                             const LinkPlaces& places);
 
-/// Adds the lines that a joint needs, and the joint. Its points are features of the links already.
-/// `places` may be null where the joint has no line.
+/// Adds the lines that a joint needs, and the joint. Its points must already be features of the
+/// links. `places` may be null for a joint without a line.
 void add_resolved(const ResolvedJoint& joint, const DrawnParts& parts, const LinkPlaces* places,
                   Mechanism& mechanism);
 

@@ -1,3 +1,4 @@
+// Names and checks of a drawing's points, links, joints, drivers and outputs.
 #include <algorithm>
 #include <assur/mechanism/drawn_mechanism.hpp>
 #include <assur/text/quoted.hpp>
@@ -15,8 +16,8 @@ bool is_ground(const DrawnParts& parts, DrawnLinkIndex link) {
   return parts.links[link].name == "ground";
 }
 
-/// The error where `part` reads the coordinate of an implicit pin. Where no fixed pivot is listed,
-/// one of the links may have been meant as the ground.
+/// The error where `part` reads the coordinate of an implied pin. If no fixed pivot is listed, one
+/// of the links may have been intended as the ground.
 MechanismError refusal_of_pin(const DrawnParts& parts, const std::string& part,
                               const std::string& joint, const std::array<std::string, 2>& links) {
   const bool is_bare = std::ranges::any_of(parts.links, [](const DrawnLink& link) {

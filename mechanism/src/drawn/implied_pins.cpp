@@ -23,14 +23,13 @@ struct ByRank {
 };
 using LinkSet = std::set<DrawnLinkIndex, ByRank>;
 
-/// What explicit joints do at one point.
+/// The explicit joints at one point.
 struct JointsAtPoint {
   std::vector<std::string> slotted;                   ///< links with a slot there
   std::vector<std::vector<std::string>> joined = {};  ///< links that one revolute joint joins
 };
 
-/// The links that explicit revolute joints join at each point, and those with slots there, by
-/// names.
+/// The links that explicit revolute joints join at each point, and those with slots there, by name.
 std::unordered_map<std::string, JointsAtPoint> joints_at_points(
     const std::vector<DrawnJoint>& joints) {
   std::unordered_map<std::string, JointsAtPoint> result;

@@ -1,4 +1,4 @@
-// Turns the points that several links list into the revolute joints that nobody has to write down.
+// Revolute joints implied by points that several links list.
 #pragma once
 
 #include <assur/mechanism/drawn_mechanism.hpp>
@@ -6,16 +6,16 @@
 
 namespace assur::mechanism::drawn {
 
-/// A revolute joint at a point, of one link from each set of links that are joined there already:
+/// A revolute joint at a point, of one link from each set of links that are joined there already,
 /// the ground first, then by name.
 struct ImpliedPin {
   DrawnPointIndex point;
   std::vector<DrawnLinkIndex> links;
 };
 
-/// The pins at all points. At each point, the links that list it are joined, but for those whose
-/// slot an explicit pin runs in there. Throws MechanismError where an explicit joint has the name
-/// that a pin needs.
+/// The pins at all points. At each point, the links that list it are joined, except a link whose
+/// slot has an explicit pin there. Throws MechanismError if an explicit joint has the name that a
+/// pin needs.
 [[nodiscard]] std::vector<ImpliedPin> implied_pins(const DrawnParts& parts,
                                                    const std::vector<DrawnJoint>& joints);
 

@@ -27,11 +27,11 @@ double OwnValues::of(const Formula& formula, const std::string& part) const {
 
 namespace {
 
-/// Points that are nearer than this part of the largest coordinate coincide: what is left of their
-/// difference is the rounding of the formulas that place them.
+/// Points nearer than this part of the largest coordinate coincide: their difference is the
+/// rounding of the formulas that place them.
 constexpr double coinciding = 1e-12;
-/// A triangle is flat whose height is below this part of its longest side: a drawing with six
-/// digits does not tell on which side the point is.
+/// A triangle is flat if its height is below this part of its longest side: a drawing with six
+/// digits does not determine the side of the point.
 constexpr double flat = 1e-6;
 
 const std::string no_axis = "its x-axis has no direction; list another point second";
@@ -117,7 +117,7 @@ Vector LinkPlaces::drawn_place(DrawnLinkIndex link, DrawnPointIndex point) const
   if (point == points[0]) {
     return {0, 0};
   }
-  if (points.size() > 1 && point == points[1]) {  // on the x-axis, whatever rounding says
+  if (points.size() > 1 && point == points[1]) {  // on the x-axis, regardless of rounding
     return {drawn_length(points[0], point), 0};
   }
   return turned_back(place_of(parts_, point) - own.origin, own.axis);
@@ -183,7 +183,7 @@ Vector LinkPlaces::place(DrawnLinkIndex link, DrawnPointIndex point) const {
   if (!by_first && !by_second) {
     return drawn_place(link, point);
   }
-  // All is done in a frame along the first two points, also in the ground.
+  // All vectors are in a frame along the first two points, also for the ground.
   const Frame along = frame_along_points(link);
   const Vector drawn = turned_back(place_of(parts_, point) - along.origin, along.axis);
   const std::optional<ParameterIndex> given = parts_.length(link, points[0], points[1]);

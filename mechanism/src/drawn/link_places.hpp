@@ -21,8 +21,8 @@ class OwnValues {
   Table<ParameterIndex, double> parameters_;
 };
 
-/// A line of the drawing, from one place to another. Each end is a point of the drawing, or a place
-/// without a name, whose index does not exist.
+/// A line of the drawing, between two ends. Each end is a point of the drawing, or a place without
+/// a name, whose index does not exist.
 struct DrawnLine {
   DrawnPointIndex first, second;
   Vector from, to;
@@ -34,40 +34,40 @@ struct PlacedLine {
   Vector through, along;
 };
 
-/// Where a point is drawn.
+/// The drawn place of a point.
 [[nodiscard]] inline Vector place_of(const DrawnParts& parts, DrawnPointIndex point) {
   return {parts.points[point].x, parts.points[point].y};
 }
 /// The angle of a link as drawn; zero for the ground and for a link of one point.
 [[nodiscard]] Formula angle_of(const DrawnParts& parts, DrawnLinkIndex link);
-/// The angle of the second link less that of the first as drawn, in (-pi, pi].
+/// The drawn angle of the second link less that of the first, in (-pi, pi].
 [[nodiscard]] Formula angle_between(const DrawnParts& parts, DrawnLinkIndex first,
                                     DrawnLinkIndex second);
 
-/// The places of points in links. What numbers decide is decided by the parameters' own values.
+/// The places of points in links, with decisions by the parameters' own values.
 class LinkPlaces {
  public:
   /// Both must outlive it. Throws MechanismError for a parameter that cannot be evaluated, and for
-  /// a point that stands nowhere.
+  /// a point without a possible place.
   LinkPlaces(const DrawnParts& parts, const Mechanism& mechanism);
 
-  /// A point in the frame of a link. The second point stands on the x-axis at its distance from the
-  /// first. A further point stands where it is drawn; with a parameter for its distance from the
-  /// first or the second point, on its drawn ray from there; with parameters for both, where these
-  /// put it, on its drawn side. The link need not list the point.
+  /// A point in the frame of a link. The second point lies on the x-axis at its distance from the
+  /// first. A further point keeps its drawn place; with a parameter for its distance from the first
+  /// or the second point, it lies on the drawn ray from there; with parameters for both, at the
+  /// intersection of the two circles on the drawn side. The link need not list the point.
   [[nodiscard]] Vector place(DrawnLinkIndex link, DrawnPointIndex point) const;
   /// A line in the frame of a link: through both ends if the link lists both, through the listed
-  /// one in the drawn direction if it lists one, and where it is drawn if it lists none.
+  /// one in the drawn direction if it lists one, and at its drawn place if it lists none.
   [[nodiscard]] PlacedLine line(DrawnLinkIndex link, const DrawnLine& line) const;
-  /// The unit vector along a line. Throws MechanismError, with `why` at its end, where the line's
-  /// ends coincide.
+  /// The unit vector along a line. Throws MechanismError, with `why` at its end, if the line's ends
+  /// coincide.
   [[nodiscard]] Vector direction(const DrawnLine& line, const std::string& why) const;
   /// The signed distances of a place from the first end of a line: along it, and to its left.
   [[nodiscard]] Vector from_line(const Vector& place, const DrawnLine& line) const;
   [[nodiscard]] double value(const Formula& formula, const std::string& part) const {
     return values_.of(formula, part);
   }
-  /// The largest of the coordinates of all points, as the size of the drawing.
+  /// The largest coordinate of all points, the size of the drawing.
   [[nodiscard]] double size() const { return size_; }
 
  private:

@@ -1,4 +1,4 @@
-// Turns the points, links and joints of a drawing into features and joints of a mechanism.
+// Placement of a drawing's points, links and joints in a mechanism.
 #include <algorithm>
 #include <assur/mechanism/drawn_mechanism.hpp>
 
@@ -10,8 +10,8 @@ namespace assur::mechanism::drawn {
 
 namespace {
 
-/// A pin that is drawn farther beside its slot than this part of the drawing's size is told: the
-/// digits of a drawing close joints to less.
+/// A pin drawn farther beside its slot than this part of the drawing's size is reported: rounded
+/// coordinates of a drawing leave smaller gaps.
 constexpr double told_gap = 1e-6;
 
 }  // namespace
@@ -27,7 +27,7 @@ void DrawnMechanism::add_left_out_ground() {
   }
 }
 
-/// Notes which distance is which parameter, and gives each parameter without a value the drawn one.
+/// Records which distances are parameters, and gives each parameter without a value the drawn one.
 void DrawnMechanism::set_lengths() {
   for (const auto& [parameter, pairs] : lengths_) {
     const std::string whole = "parameters." + parameter;
@@ -167,7 +167,7 @@ void DrawnMechanism::place() {
   const std::vector<drawn::ResolvedJoint> joints = resolved_joints();
   const std::vector<drawn::ImpliedPin> pins = drawn::implied_pins(parts_, joints_);
   // Coordinates are formulas of the points, and parameters may be these coordinates: numbers decide
-  // only when all parameters have their values.
+  // only after all parameters have their values.
   find_coordinates(joints, pins);
   set_coordinates();
   if (is_drawn()) {

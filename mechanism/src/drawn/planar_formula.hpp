@@ -1,4 +1,4 @@
-// Turns vectors of formulas into turned vectors, lengths and angles, again as formulas.
+// Plane vectors of formulas: rotation, length and angle.
 #pragma once
 
 #include <assur/mechanism/formula.hpp>

@@ -17,7 +17,7 @@ constexpr std::size_t most_keys = 20000;
 }  // namespace
 
 SceneJson parsed(const std::string& text) {
-  // The library silently keeps the last of two equal keys; a scene must not have two.
+  // The library silently keeps the last of two equal keys, which a scene must not have.
   std::vector<std::set<std::string>> open;
   const auto watch = [&](int depth, SceneJson::parse_event_t event, SceneJson& value) {
     if (depth > deepest) {

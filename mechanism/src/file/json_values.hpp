@@ -1,4 +1,4 @@
-// Turns the values of a scene's JSON into texts and numbers, or into one line of complaint.
+// Texts and numbers from the values of a scene's JSON, with checks of their form.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@ namespace assur::mechanism::file {
 /// Ordered, because the order of links and joints decides how a group is spelled.
 using SceneJson = nlohmann::ordered_json;
 
-/// The document in a text. Throws MechanismError for a text that is not JSON, and for a key that
-/// occurs twice in one object.
+/// Parses a text. Throws MechanismError for a text that is not JSON, and for a key that occurs
+/// twice in one object.
 [[nodiscard]] SceneJson parsed(const std::string& text);
 
-/// Each of the following throws MechanismError where a value has the wrong form; `part` is what the
-/// message calls it.
+/// Expects an object. This function and the following ones throw MechanismError for a value of the
+/// wrong form; `part` is its name in the message.
 void expect_object(const SceneJson& value, const std::string& part);
 void expect_keys(const SceneJson& value, const std::string& part, std::span<const SceneKey> known);
 [[nodiscard]] const SceneJson& required(const SceneJson& value, const std::string& key,

@@ -1,4 +1,4 @@
-// Tables of the keys that say what loads a mechanism, for the reader and the JSON Schema.
+// Keys of loads in a scene, for the reader and the JSON Schema.
 #pragma once
 
 #include <array>

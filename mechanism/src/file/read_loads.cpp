@@ -1,4 +1,4 @@
-// Masses, gravity, forces, moments and springs.
+// Reads masses, gravity, forces, moments and springs.
 #include "load_keys.hpp"
 #include "loads_and_requests.hpp"
 
@@ -6,7 +6,7 @@ namespace assur::mechanism::file {
 
 namespace {
 
-/// The number of a key, or zero where the key is left out.
+/// The number of a key, or zero if the key is missing.
 Mechanism::Given number_or_zero(const SceneJson& value, const std::string& key,
                                 const std::string& part) {
   return value.contains(key) ? number_of(value[key], part + "." + key) : Mechanism::Given(0);

@@ -1,4 +1,4 @@
-// What is wanted, of which parts, by which reference, and over which range.
+// Reads requested results, reported parts, the reference, the sweep and the covariance.
 #include <algorithm>
 #include <assur/text/quoted.hpp>
 #include <assur/text/suggestion.hpp>

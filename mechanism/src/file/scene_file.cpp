@@ -1,3 +1,4 @@
+// Reads a scene: parameters, links or a drawing, joints, drivers and outputs.
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/drawn_mechanism.hpp>
@@ -16,8 +17,8 @@ namespace assur::mechanism::file {
 
 namespace {
 
-/// Reads a document from its parameters to its outputs, its loads and its requests: each part may
-/// name what earlier ones hold.
+/// Reads a document from its parameters to its outputs, its loads and its requests, in an order in
+/// which each part refers to earlier ones only.
 class SceneReader {
  public:
   SceneReader(const SceneJson& root, const std::vector<std::string>& settings,
@@ -90,7 +91,7 @@ class SceneReader {
     }
   }
 
-  /// Throws MechanismError for a driver that is set as if it were a parameter.
+  /// Throws MechanismError for a setting that names a driver instead of a parameter.
   void expect_no_driver(const std::string& name) const {
     const bool is_driver = root_.contains("drivers") && root_["drivers"].is_object() &&
                            root_["drivers"].contains(name);
@@ -254,7 +255,7 @@ class SceneReader {
       const std::string expected = "expected two or more features [\"link.feature\", ...]";
       joint.between = names_in(required(value, "between", part), part + ".between", expected);
       if (joint.between.empty()) {
-        mechanism_.add_joint(name, joint.type, {});  // which refuses it
+        mechanism_.add_joint(name, joint.type, {});  // throws for this joint
       }
     }
     if (value.contains("links")) {
@@ -332,7 +333,7 @@ class SceneReader {
   Table<DrawnPointIndex, DrawnPoint>& points_;
 };
 
-/// Holds idle links as they are drawn, or at angle 0.
+/// Holds idle links in their drawn position, or at angle 0.
 void hold_idle_links(Scene& scene) {
   scene.mechanism.hold_idle_links([&](LinkIndex link) {
     const auto found = std::ranges::find(scene.request.reference, link, &ReferenceAngle::link);

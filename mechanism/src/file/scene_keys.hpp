@@ -1,4 +1,4 @@
-// Turns the scene format into tables of keys, which its reader and its JSON Schema share.
+// Keys of the scene format, shared by its reader and its JSON Schema.
 #pragma once
 
 #include <array>
@@ -27,9 +27,8 @@ inline constexpr std::array scene_keys = {
              "features in its own frame. The link 'ground' is the fixed frame; it may be left out "
              "where all links list points."},
     SceneKey{"joints", false, R"({"$ref": "#/$defs/joints"})",
-             "What joins features of links. Every drawn point that two links or more list is a "
-             "revolute joint of its name, unless joints join them there. Required where no link "
-             "lists points."},
+             "Connections of links. Every drawn point that two links or more list is a revolute "
+             "joint of its name, unless joints join them there. Required if no link lists points."},
     SceneKey{"drivers", false, R"({"$ref": "#/$defs/drivers"})",
              "The joints whose coordinates are given."},
     SceneKey{"outputs", false, R"({"$ref": "#/$defs/outputs"})",
@@ -111,11 +110,12 @@ inline constexpr std::array joint_keys = {
              "second."},
     SceneKey{"at", false, R"({"type": "string"})",
              "With 'links': the drawn point of the pin; by default the one with the joint's name."},
-    SceneKey{"along", false,
-             R"({"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "string"}})",
-             "With 'links': the drawn points from the first of which to the second a slide or a "
-             "slot runs. The displacement of a slide is zero as drawn; that of a pin in its slot "
-             "is measured from the first point."},
+    SceneKey{
+        "along", false,
+        R"({"type": "array", "minItems": 2, "maxItems": 2, "items": {"type": "string"}})",
+        "With 'links': two drawn points; a slide or a slot runs from the first to the second. The "
+        "displacement of a slide is zero as drawn; that of a pin in its slot is measured from "
+        "the first point."},
     SceneKey{"direction", false, R"({"$ref": "#/$defs/point"})",
              "In place of 'along': the direction [dx, dy] in the drawing of a line through 'at'."},
     SceneKey{"limits", false, R"({"$ref": "#/$defs/pair"})",

@@ -1,4 +1,4 @@
-// Turns the tables of a scene's keys into a JSON Schema.
+// JSON Schema of scenes, from the tables of their keys.
 #include <assur/mechanism/scene_file.hpp>
 #include <span>
 
@@ -10,7 +10,7 @@ namespace assur::mechanism::file {
 
 namespace {
 
-/// An object that has these keys and no others.
+/// An object with these keys and no others.
 SceneJson object_of(std::span<const SceneKey> keys, const std::string& description) {
   SceneJson schema = {{"description", description},
                       {"type", "object"},
@@ -28,7 +28,7 @@ SceneJson object_of(std::span<const SceneKey> keys, const std::string& descripti
   return schema;
 }
 
-/// An object whose keys are names that the scene gives.
+/// An object whose keys are names chosen in the scene.
 SceneJson names_of(const SceneJson& named, const char* pattern = nullptr) {
   SceneJson schema = {{"type", "object"}};
   schema["propertyNames"] =
@@ -59,7 +59,7 @@ SceneJson definitions() {
   const SceneJson line = object_of(line_keys, "A line in the frame of its link");
   const SceneJson line_through_points =
       object_of(line_through_points_keys, "A line through two points of its link");
-  SceneJson parameter = object_of(parameter_keys, "A parameter and what is known of it");
+  SceneJson parameter = object_of(parameter_keys, "A parameter: its value, tolerance and rates");
   parameter["anyOf"] = {{{"required", {"value"}}}, {{"required", {"drawn"}}}};
   const SceneJson name = {{"type", "string"}, {"minLength", 1}};
   const SceneJson two_points = {
@@ -107,8 +107,9 @@ SceneJson definitions() {
 namespace assur::mechanism {
 
 std::string scene_schema() {
-  file::SceneJson schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
-                            {"title", "A scene: one planar mechanism, and what is wanted of it"}};
+  file::SceneJson schema = {
+      {"$schema", "https://json-schema.org/draft/2020-12/schema"},
+      {"title", "A scene: one planar mechanism, and the results requested of it"}};
   schema.update(file::object_of(
       file::scene_keys,
       "Lengths share one unit, and angles are in radians, counter-clockwise. A link's pose is the "

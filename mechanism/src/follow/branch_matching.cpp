@@ -8,12 +8,12 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The largest turn + defect of a match, in parts of one plus the size of the point, so that a
-/// branch that runs to infinity is followed at its own scale. It bounds how wide an S of two folds
-/// can be and still be taken for a straight piece of one branch.
+/// The largest turn + defect of a match, relative to one plus the size of the point, so that a
+/// branch that runs to infinity is followed at its own scale. It bounds the width of an S of two
+/// folds that passes for a straight piece of one branch.
 constexpr double longest_bend = 0.01;
 
-/// How far others must be from a branch, in parts of how far it goes and bends.
+/// The least distance of others from a branch, relative to its length and bend.
 constexpr double clear_of_others = 3;
 
 /// The rows of one link in a point.
@@ -28,7 +28,7 @@ double distance_to_segment(const Eigen::VectorXd& from, const Eigen::VectorXd& t
 }
 
 /// Whether a sum of vectors of configurations is longer than a limit. `part` gives its piece of one
-/// link, from a row on; the links behind the one that decides are not looked at.
+/// link, from a row on; links after the one that decides are not evaluated.
 template <typename Part>
 bool is_longer(Eigen::Index size, double limit, const Part& part) {
   double square = 0;
@@ -67,10 +67,10 @@ class Matcher {
 
  private:
   /// Whether each point's match is the one with the same index and no two branches come near,
-  /// because the points are so far apart that other pairs need not be looked at. Let every point
-  /// move by r at most and bend by b. Then h times a slope is r + b at most, the defect of any
-  /// other pair is the least distance of two points less 2 r + b at least, and the cubics stay as
-  /// far apart as `is_far` asks for where that distance exceeds 3 (r + b).
+  /// because the points are so far apart that other pairs need no test. Let every point move by r
+  /// at most and bend by b. Then h times a slope is r + b at most, the defect of any other pair is
+  /// the least distance of two points less 2 r + b at least, and the cubics stay as far apart as
+  /// `is_far` requires where that distance exceeds 3 (r + b).
   [[nodiscard]] bool stay_apart() const {
     if (left_.count() != right_.count()) {
       return false;
@@ -94,13 +94,24 @@ class Matcher {
     if (left_.count() == 0 || right_.count() == 0) {
       return;
     }
-    // Two branches that cross half-way would have no defect either if they turned back there. The
+    // If two branches that cross halfway turned back there, they would have no defect either. The
     // turn shows that they go straight on.
-    Eigen::MatrixXd bends(left_.count(), right_.count());
+    Eigen::MatrixXd bends = Eigen::MatrixXd::Constant(static_cast<Eigen::Index>(left_.count()),
+                                                      static_cast<Eigen::Index>(right_.count()),
+                                                      std::numeric_limits<double>::infinity());
     const Table<PointIndex, double> left_sizes = sizes_of(left_);
     const Table<PointIndex, double> right_sizes = sizes_of(right_);
+    const double largest = std::ranges::max(right_sizes);
+    // The defect is the distance of these.
+    const auto onward = [&](PointIndex point) -> Eigen::VectorXd {
+      return left_.points[point].at + step_ / 2 * left_.points[point].slope;
+    };
+    const OrderOnLine order(right_.count(), [&](PointIndex point) -> Eigen::VectorXd {
+      return right_.points[point].at - step_ / 2 * right_.points[point].slope;
+    });
     for (const PointIndex from : left_.points.keys()) {
-      for (const PointIndex to : right_.points.keys()) {
+      const double farthest = longest_bend * (1 + std::max(left_sizes[from], largest));
+      for (const auto& [place, to] : order.within(farthest, OrderOnLine::place_of(onward(from)))) {
         const double most = longest_bend * (1 + std::max(left_sizes[from], right_sizes[to]));
         bends(from.row(), to.row()) = bend_up_to(most, left_.points[from], right_.points[to]);
       }
@@ -134,25 +145,33 @@ class Matcher {
 
   void list_touching() {
     Table<PointIndex, double> bends(left_.count(), 0.0);
-    Table<PointIndex, double> strays(left_.count(), 0.0);
-    for (const PointIndex one : left_.points.keys()) {
+    Table<PointIndex, double> reaches(left_.count(), 0.0);  // how far a match may leave its point
+    double farthest = 0;
+    for (const PointIndex point : left_.points.keys()) {
+      if (result_.to_right[point].exists()) {
+        bends[point] = bend(point);
+        reaches[point] = bends[point] + stray(point);
+        farthest = std::max(farthest, reaches[point]);
+      }
+    }
+    const OrderOnLine order(left_.count(),
+                            [&](PointIndex point) { return left_.points[point].at; });
+    for (const auto& [place, one] : order.places()) {
       if (!result_.to_right[one].exists()) {
         continue;
       }
-      bends[one] = bend(one);
-      strays[one] = stray(one);
-      for (const PointIndex other : left_.points.keys()) {
-        if (!(other < one) || !result_.to_right[other].exists()) {
-          continue;
-        }
-        const double limit = bends[one] + bends[other];
-        const double strayed = strays[one] + strays[other];
-        if (!is_apart(one, other, limit + strayed) && !is_far(one, other, limit) &&
-            !(clearance(one, other) > limit)) {
+      for (const auto& [other_place, other] : order.within(reaches[one] + farthest, place)) {
+        if (other < one && result_.to_right[other].exists() &&
+            !is_apart(one, other, reaches[one] + reaches[other]) &&
+            !is_far(one, other, bends[one] + bends[other]) &&
+            !(clearance(one, other) > bends[one] + bends[other])) {
           result_.touching.push_back({other, one});
         }
       }
     }
+    std::ranges::sort(result_.touching, [](const TouchingPair& a, const TouchingPair& b) {
+      return std::pair(a.other, a.one) < std::pair(b.other, b.one);
+    });
   }
 
   void list_turned() {
@@ -179,7 +198,7 @@ class Matcher {
   [[nodiscard]] const ConfigurationPoint& matched(PointIndex index) const {
     return right_.points[result_.to_right[index]];
   }
-  /// How far a branch may stray from its cubic: turn + defect.
+  /// Bound on the deviation of a branch from its cubic: turn + defect.
   [[nodiscard]] double bend(PointIndex index) const {
     return bend(left_.points[index], matched(index));
   }
@@ -187,7 +206,7 @@ class Matcher {
     return std::abs(step_) * (to.slope - from.slope).norm() + defect(from, to, step_);
   }
 
-  /// The same, or infinity where it exceeds a limit.
+  /// The same, or infinity if it exceeds a limit.
   [[nodiscard]] double bend_up_to(double most, const ConfigurationPoint& from,
                                   const ConfigurationPoint& to) const {
     const auto defect_of_link = [&](Eigen::Index row) {
@@ -209,7 +228,7 @@ class Matcher {
     return sizes;
   }
 
-  /// How far the cubic of a match strays from where it begins: see `is_far`.
+  /// The deviation of a match's cubic from its start: see `is_far`.
   [[nodiscard]] double stray(PointIndex index) const {
     const ConfigurationPoint& from = left_.points[index];
     const ConfigurationPoint& to = matched(index);
@@ -226,9 +245,9 @@ class Matcher {
     });
   }
 
-  /// Whether the cubics of two matches stay so far apart that nothing has to be sampled: they are
-  /// far apart at both ends, and between these a difference D of cubics with slopes s strays from
-  /// its first value by at most |D1 - D0| + 4/27 h (|s0| + |s1|).
+  /// Whether the cubics of two matches stay so far apart that no samples are needed: they are far
+  /// apart at both ends, and in between a difference D of cubics with slopes s deviates from its
+  /// first value by at most |D1 - D0| + 4/27 h (|s0| + |s1|).
   [[nodiscard]] bool is_far(PointIndex one, PointIndex other, double limit) const {
     const ConfigurationPoint& from = left_.points[one];
     const ConfigurationPoint& other_from = left_.points[other];
@@ -240,8 +259,8 @@ class Matcher {
     return (from.at - other_from.at).norm() - move - 4.0 / 27 * std::abs(step_) * slopes > limit;
   }
 
-  /// The least distance between the cubics of two matches, where their difference is taken as
-  /// straight between quarters of the interval.
+  /// The least distance between the cubics of two matches, with their difference taken as straight
+  /// between quarters of the interval.
   [[nodiscard]] double clearance(PointIndex one, PointIndex other) const {
     constexpr int parts = 4;
     const auto apart = [&](int part) -> Eigen::VectorXd {
@@ -280,7 +299,7 @@ bool goes_on(const Snapshot& left, const Snapshot& right) {
          Matcher(right, left).is_plain();
 }
 
-// The branch goes |h slope| + b, and b off its tangent; the next step may be twice as long.
+// The branch moves by |h slope| + b, and b off its tangent; the next step may be twice as long.
 double distance_that_matters(const ConfigurationPoint& from, double step) {
   const double way = 2 * std::abs(step) * from.slope.norm();
   return clear_of_others * (way + 2 * longest_bend) + longest_bend;

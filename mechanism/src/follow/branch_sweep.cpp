@@ -1,4 +1,4 @@
-// Turns a sweep and the number of one branch into the configurations along it, up to its end.
+// Follows one branch of a sweep, given by its number, to its end.
 #include <algorithm>
 #include <assur/mechanism/sweep.hpp>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 /// The shortest interval, as a part of the sweep and of the parameter's value.
 constexpr double shortest_step = 1e-13;
 
-/// Follows one branch from step to step; it holds the configuration here and the one further on.
+/// Follows one branch from step to step; holds its present configuration and the next one.
 class BranchFollower {
  public:
   BranchFollower(const Plan& plan, const Values& values, std::size_t number,
@@ -67,8 +67,7 @@ class BranchFollower {
     solver_.count_from(current_);
   }
 
-  /// Follows the branch to a value, or to where it ends before. Returns whether it has reached the
-  /// value.
+  /// Follows the branch to a value, or to an earlier end. Returns whether it has reached the value.
   [[nodiscard]] bool goes_on_to(double value) {
     const double least =
         shortest_step * std::max(std::abs(solver_.to() - solver_.from()), std::abs(value));

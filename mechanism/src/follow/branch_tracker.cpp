@@ -10,11 +10,11 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The longest interval, as a part of the sweep, that events may explain: a longer one may hide
-/// further singular configurations beside the one that it shows.
+/// The longest interval that events may explain, as a part of the sweep: a longer one may hide
+/// further singular configurations beside the visible one.
 constexpr double longest_explained = 1e-4;
-/// Touching branches that are this close may be explained in an interval of any length. In a short
-/// sweep they can no longer be told apart once an interval has become as small a part of it as
+/// Touching branches at this distance may be explained in an interval of any length. In a short
+/// sweep they can no longer be distinguished once an interval has become as small a part of it as
 /// above.
 constexpr double close_by = 2e-5;
 /// The shortest interval, as a part of the sweep and of the parameter's value.
@@ -33,7 +33,7 @@ bool touches_closely(const BranchMatching& matching, const Snapshot& left, const
          std::all_of(matching.touching.begin(), matching.touching.end(), is_close);
 }
 
-/// Whether every branch goes through the interval and some touch: they may cross.
+/// Whether every branch goes through the interval and some touch, so that they may cross.
 bool goes_through(const BranchMatching& matching) {
   return matching.left_alone.empty() && matching.right_alone.empty() && !matching.touching.empty();
 }
@@ -90,7 +90,7 @@ bool BranchTracker::is_explained(const SnapshotPointer& set, BranchMatching matc
   return events.has_value();
 }
 
-/// A separable set near the middle of the interval, unless this is too short.
+/// A separable set near the middle of the interval; none if this is too short.
 SnapshotPointer BranchTracker::between(const SnapshotPointer& set) const {
   const double from = current_->parameter;
   const double step = set->parameter - from;
@@ -134,8 +134,8 @@ void BranchTracker::adopt(const SnapshotPointer& set, const Table<PointIndex, Po
   current_ = set;
 }
 
-/// Continues only the branches that are matched, touch no other and are not singular on their way.
-/// All others end, and new ones begin.
+/// Continues only the branches that are matched, touch no other and stay regular. All others end,
+/// and new ones begin.
 void BranchTracker::give_up(const SnapshotPointer& set, const BranchMatching& matching) {
   Table<PointIndex, PointIndex> to_right = matching.to_right;
   for (const TouchingPair& pair : matching.touching) {

@@ -1,4 +1,4 @@
-// Turns successive sets of configurations into numbered branches and the events between them.
+// Numbered branches through successive sets of configurations, and the events between the sets.
 #pragma once
 
 #include <functional>
@@ -27,8 +27,8 @@ class BranchTracker {
 
   /// Starts with the first set, or the first one after a gap: every configuration begins a branch.
   void begin(const SnapshotPointer& set);
-  /// Goes on from the current set to one further on, which must be separable, and halves the
-  /// interval until every branch and event in it is clear.
+  /// Goes on to a set further along, which must be separable, and halves the interval until every
+  /// branch and event in it is resolved.
   void advance(const SnapshotPointer& set);
   /// Ends all branches without a further set. Returns their numbers.
   std::vector<int> stop();
@@ -41,7 +41,7 @@ class BranchTracker {
   [[nodiscard]] std::vector<BranchEvent> take_events();
 
  private:
-  /// Goes on to a set if events explain the interval. Returns whether they do.
+  /// Goes on to a set if events explain the interval, and returns whether they do.
   [[nodiscard]] bool is_explained(const SnapshotPointer& set, BranchMatching matching,
                                   Explaining by);
   void adopt(const SnapshotPointer& set, const Table<PointIndex, PointIndex>& to_right,

@@ -9,9 +9,9 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// Two places of the mechanism, in parts of its size, that are nearer than this are one. The square
-/// root of rounding, by which configurations beside a fold move, is a hundredth of it, and an angle
-/// that a person types with seven digits is as near to a whole turn.
+/// Two places of the mechanism that are nearer than this, relative to its size, are one. Rounding
+/// moves configurations beside a fold by its square root, a hundredth of this, and an angle that a
+/// person types with seven digits is as near to a whole turn.
 constexpr double same_place = 1e-6;
 
 bool are_same(const Shapes& one, const Shapes& other) {

@@ -1,4 +1,4 @@
-// Turns events and the rows of steps into the circuits of a sweep's branches.
+// Circuits of a sweep's branches, from events and the rows of steps.
 #pragma once
 
 #include <assur/mechanism/sweep.hpp>
@@ -10,9 +10,9 @@
 namespace assur::mechanism::follow {
 
 /// The places of all features on their links, and the coordinates of the drivers whose laws read no
-/// joint: what is the same where the mechanism is the same.
+/// joint: they are the same where the mechanism is the same.
 struct Shapes {
-  std::vector<double> lengths;  ///< in parts of the mechanism's
+  std::vector<double> lengths;  ///< relative to the mechanism's
   std::vector<double> angles;   ///< of revolute drivers
 };
 
@@ -21,13 +21,13 @@ class CircuitFinder {
  public:
   explicit CircuitFinder(SnapshotSolver& solver) : solver_(solver) {}
 
-  /// Joins the branches that meet in the configuration of an event, if it has one.
+  /// Joins the branches that meet in an event's configuration, if it has one.
   void join_at(const BranchEvent& event);
-  /// Joins branches that share a configuration of a step, and those that are where others are at
-  /// the first step, if the mechanism is the same.
+  /// Joins branches that share a configuration of a step, and those that return to a configuration
+  /// of the first step, if the mechanism is the same there.
   void join_at_step(double parameter, const std::vector<StepRow>& rows);
-  /// The circuits of the branches that are shown. Branches that end the sweep at its last value
-  /// must have been joined last.
+  /// The circuits of the shown branches. Branches that end the sweep at its last value must have
+  /// been joined last.
   [[nodiscard]] Circuits found(const ShownBranches& told);
 
  private:
@@ -46,7 +46,7 @@ class CircuitFinder {
   Shapes shapes_;                 ///< at the first step
   std::vector<Start> starts_;
   bool has_begun_ = false;
-  std::vector<std::pair<int, int>> next_;  ///< at the last step: a branch, and the one to follow
+  std::vector<std::pair<int, int>> next_;  ///< at the last step: a branch, and its continuation
 };
 
 }  // namespace assur::mechanism::follow

@@ -1,3 +1,4 @@
+// Follows the configurations of a mechanism from one set of parameters' values to the next.
 #include <algorithm>
 #include <assur/mechanism/continuation.hpp>
 #include <utility>
@@ -11,16 +12,16 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The shortest step that is judged by itself, as a part of the way between two sets: a sweep along
-/// the way, which decides what is then left, takes steps that are no longer.
+/// The shortest step that is tried, as a part of the way between two sets: a sweep along the rest
+/// of the way, the last resort, takes steps that are no longer.
 constexpr double shortest_part = 1.0 / 512;
-/// How far apart two solutions of one configuration may be, in lengths of the mechanism: where it
-/// is singular, half of the digits are known.
+/// The largest distance between two solutions of one configuration, in lengths of the mechanism:
+/// half of the digits are lost where it is singular.
 constexpr double same_configuration = 1e-6;
 
-/// The plan of a request whose sweep, if it is never run, has the derivatives and determinants
-/// carried that following takes. More than one parameter has its derivatives with the
-/// sensitivities only.
+/// The plan of a request with a sweep, even if it is never run, so that it carries the derivatives
+/// and determinants needed to follow branches. Derivatives with respect to several parameters come
+/// with the sensitivities only.
 Plan plan_for(Mechanism mechanism, Request request, const std::vector<ParameterIndex>& changing) {
   request.want.sensitivity = request.want.sensitivity || changing.size() > 1;
   if (!changing.empty()) {
@@ -36,8 +37,8 @@ Plan plan_for(Mechanism mechanism, Request request, const std::vector<ParameterI
 
 namespace assur::mechanism {
 
-/// Holds the set where the branches are, `here_`, and the last one that was solved, `next_`. Once
-/// the branches are taken there, the two change places before another is solved.
+/// Holds the present set of the branches, `here_`, and the set solved last, `next_`. Once the
+/// branches have reached the latter, the two exchange places before another is solved.
 class Continuation::Follower {
  public:
   Follower(const Mechanism& mechanism, const Request& request, std::vector<ParameterIndex> changing)
@@ -77,7 +78,7 @@ class Continuation::Follower {
   }
 
  private:
-  /// A set of values, and its configurations.
+  /// Values and their configurations.
   struct Item {
     std::vector<std::pair<ParameterIndex, double>> replaced;
     follow::StraightWay::Place at;  ///< the values of the changing parameters
@@ -140,7 +141,8 @@ class Continuation::Follower {
     }
   }
 
-  /// The configurations of `to` that continue those of `from`, if the step between them is clear.
+  /// The configurations of `to` that continue those of `from`, if the step between them is
+  /// unambiguous.
   [[nodiscard]] std::optional<Next> step(Item& from, Item& to) const {
     set_points(from, to);
     if (!follow::is_regular(from.set) || !follow::is_regular(to.set)) {
@@ -157,8 +159,8 @@ class Continuation::Follower {
     return result;
   }
 
-  /// Goes to the last set in shorter steps. Where no step is clear any more, a sweep goes the rest
-  /// of the way.
+  /// Goes to the last set in shorter steps. If none is short enough, a sweep goes the rest of the
+  /// way.
   [[nodiscard]] Next walk() {
     Next result(here_.set.count());
     for (std::size_t place = 0; place < result.size(); ++place) {
@@ -231,7 +233,7 @@ class Continuation::Follower {
     return result;
   }
 
-  /// The configuration of the last set that a sweep has found, too.
+  /// The configuration of the last set that equals one found by a sweep.
   [[nodiscard]] std::optional<std::size_t> place_in_next(const Configuration& found) const {
     follow::ConfigurationPoint sought;
     const auto still = [](const Frame&) { return Eigen::Vector3d::Zero().eval(); };
@@ -249,7 +251,7 @@ class Continuation::Follower {
   std::vector<ParameterIndex> changing_;
   Plan plan_;
   Values between_;
-  std::vector<Eigen::Index> columns_;  ///< of the derivatives by the changing parameters
+  std::vector<Eigen::Index> columns_;  ///< of derivatives by the changing parameters
   std::optional<follow::StraightWay> straight_;
   Item here_, next_;
   double length_;  ///< of the mechanism, the unit of points

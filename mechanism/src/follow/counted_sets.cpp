@@ -7,7 +7,7 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The most sets that are kept so that turns are counted from them.
+/// The largest number of sets kept for counting turns.
 constexpr std::size_t most_counted = 2048;
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Holds the sets of configurations from whose angles whole turns are counted along a sweep.
+// Sets of configurations from which whole turns are counted along a sweep.
 #pragma once
 
 #include <vector>
@@ -8,32 +8,32 @@
 
 namespace assur::mechanism::follow {
 
-/// Whether laws read angles of some configuration, so that whole turns are counted.
+/// Whether a law reads an angle in some configuration, so that whole turns are counted.
 [[nodiscard]] bool has_counted_angles(const Snapshot& snapshot);
 
-/// The set of the last step, and those between steps on the way to other sets. There are none where
-/// laws read no angles.
+/// The set of the last step, and sets between steps on the way to others. Empty if laws read no
+/// angles.
 class CountedSets {
  public:
-  /// `reads_angles`: whether laws read angles. `column`: of the derivatives with respect to the
-  /// swept parameter.
+  /// `reads_angles`: whether laws read angles. `column`: the column of the derivatives with respect
+  /// to the swept parameter.
   CountedSets(bool reads_angles, Eigen::Index column)
       : reads_angles_(reads_angles), column_(column) {}
 
   [[nodiscard]] bool is_empty() const { return sets_.empty(); }
-  /// The set whose value of the parameter is nearest; there must be one.
+  /// The set with the nearest value of the parameter; there must be one.
   [[nodiscard]] const SnapshotPointer& nearest(double parameter) const;
   /// Keeps a set if turns are known in it: one with angles that laws read, or an empty one, since
-  /// branches that begin after a gap begin to count. In a degenerate set, branches go on unseen,
-  /// and where they meet, or the count `is_ambiguous`, it is not known which of them a
-  /// configuration continues, or whether the law has a value there.
+  /// branches that begin after a gap begin to count. In a degenerate set, branches continue unseen;
+  /// where they meet, or the count `is_ambiguous`, it is unknown which of them a configuration
+  /// continues, or whether the law has a value there.
   void note(const SnapshotPointer& set, bool is_ambiguous);
   /// From now on, turns are counted from this set alone.
   void forget_all_but(const SnapshotPointer& set) { sets_ = std::vector{set}; }
   /// The same, if laws read angles in the set.
   void count_from(const SnapshotPointer& set);
   /// The nearest sets on both sides of a value, from which its turns are counted: branches that end
-  /// between them are known on one side only. Those of the set at `from` are expected to go on.
+  /// between them are known on one side only. Those of the set at `from` should continue.
   [[nodiscard]] std::vector<solve::NearbyConfigurations> beside(double parameter,
                                                                 double from) const;
 

@@ -11,7 +11,7 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// Branches about their crossing: the tangents there of the cubics through both sides.
+/// Branches near their crossing, as the tangents there of the cubics through both sides.
 struct CrossingLines {
   double centre;
   std::vector<Eigen::VectorXd> places;     ///< at the centre
@@ -48,7 +48,7 @@ struct CrossingLines {
   [[nodiscard]] Eigen::VectorXd place(std::size_t index, double move) const {
     return places[index] + slopes[index] * move;
   }
-  /// The least distance of a line from the others, at a parameter distance of one from the centre.
+  /// The least distance of a line from the others, at unit parameter distance from the centre.
   [[nodiscard]] double clearance(std::size_t index) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t other = 0; other < count(); ++other) {
@@ -56,7 +56,7 @@ struct CrossingLines {
     }
     return least;
   }
-  /// The configurations nearest to the lines, if each is near to its own line only.
+  /// The configurations nearest to the lines, if each is near its own line only.
   [[nodiscard]] std::optional<ConfigurationBundle> followed(SnapshotSolver& solver,
                                                             double move) const {
     constexpr double tolerance = 0.3;
@@ -72,7 +72,7 @@ struct CrossingLines {
     }
     return bundle;
   }
-  /// How far the branches have spread from one another, with the sign of the side.
+  /// The distance to which the branches have spread, with the sign of the side.
   [[nodiscard]] double spread_of(const ConfigurationBundle& bundle) const {
     const Eigen::VectorXd middle = bundle.middle();
     double sum = 0;
@@ -83,14 +83,14 @@ struct CrossingLines {
   }
 };
 
-/// The places of a crossing's samples, in parts of the width. From the outer four follows where a
-/// smooth branch would be at the inner two.
+/// The places of a crossing's samples, relative to the width. The outer four predict the inner two
+/// of a smooth branch.
 constexpr std::array crossing_places{-1.0, -2.0 / 3, 2.0 / 3, 1.0, -1.0 / 3, 1.0 / 3};
 constexpr std::size_t outer_places = 4;
 using CrossingSamples = std::array<ConfigurationBundle, crossing_places.size()>;
 
-/// Where a branch that passes its crossing smoothly would be, from values and derivatives at the
-/// outer places.
+/// The place of a branch that goes through its crossing smoothly, from values and derivatives at
+/// the outer places.
 Eigen::VectorXd smooth_place(const CrossingSamples& samples, std::size_t branch, double width,
                              double place) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(samples[0].at(branch).at.size());
@@ -111,7 +111,7 @@ Eigen::VectorXd smooth_place(const CrossingSamples& samples, std::size_t branch,
   return sum;
 }
 
-/// One width of a crossing's interpolation, and the place that led to it.
+/// An estimate from one width of a crossing's interpolation.
 struct CrossingEstimate {
   double parameter;
   Configuration configuration;
@@ -191,7 +191,7 @@ std::optional<EventLocation> locate_crossing(SnapshotSolver& solver,
   std::optional<CrossingEstimate> last;
   double least = std::numeric_limits<double>::infinity();
   double opening = least;
-  int in_vain = 0;  // how many widths have not improved the estimate
+  int in_vain = 0;  // the number of widths that have not improved the estimate
   double width = (right.set->parameter - left.set->parameter) / 1024;
   for (int index = 0; index < widths && in_vain < most_in_vain; ++index, width *= 2) {
     in_vain += last ? 1 : 0;

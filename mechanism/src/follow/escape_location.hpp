@@ -1,4 +1,4 @@
-// Turns a configuration that runs to infinity into the parameter value at which it does.
+// Location of the parameter value at which a configuration runs to infinity.
 #pragma once
 
 #include <optional>
@@ -8,12 +8,12 @@
 
 namespace assur::mechanism::follow {
 
-/// Locates where a configuration of a set runs to infinity: the zero of 1 / (w . X), where w is its
-/// direction.
+/// The value at which a configuration of a set runs to infinity: the zero of 1 / (w . X), where w
+/// is its direction.
 [[nodiscard]] std::optional<EventLocation> locate_escape(SnapshotSolver& solver,
                                                          const SnapshotPointer& near,
                                                          PointIndex index);
-/// The first estimate of the same zero, as its parameter distance from a point.
+/// A first estimate of the same zero, as its parameter distance from a point.
 [[nodiscard]] double distance_to_escape(const ConfigurationPoint& point);
 
 }  // namespace assur::mechanism::follow

@@ -1,4 +1,4 @@
-// Turns weighted configurations near a singular one into the singular configuration.
+// Interpolation of a singular configuration from weighted configurations near it.
 #pragma once
 
 #include <assur/mechanism/plan.hpp>

@@ -1,4 +1,4 @@
-// Turns an event into the words of its row.
+// Words for the events of a sweep.
 #pragma once
 
 #include <string>

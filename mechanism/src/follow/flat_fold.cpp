@@ -16,7 +16,7 @@ std::optional<ConfigurationPair> followed(SnapshotSolver& solver, const Configur
   return pair_followed(solver, pair, parameter, std::pow((fold - parameter) / from, 0.25));
 }
 
-/// Where the fold is, if the pair approaches it as the fourth root of the distance: then
+/// The location of the fold, if the pair approaches it as the fourth root of the distance: then
 /// `distance_to_fold` is twice the distance, and decreases twice as fast as the parameter advances.
 std::optional<double> estimate_from(SnapshotSolver& solver, const ConfigurationPair& pair) {
   const double told = pair.distance_to_fold();
@@ -43,8 +43,8 @@ std::optional<EventLocation> locate_flat_fold(SnapshotSolver& solver,
   if (!estimate) {
     return std::nullopt;
   }
-  // Pairs up to a separation s, with a truncation error of order s^8. The error of a pair by
-  // rounding grows as the inverse third power of its own separation.
+  // Pairs up to a separation s have a truncation error of order s^8. The rounding error of a pair
+  // grows as the inverse third power of its own separation.
   constexpr int pairs = 4;
   constexpr double widest = 1e-2;
   constexpr int most_steps = 8;

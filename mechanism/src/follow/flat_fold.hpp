@@ -1,4 +1,4 @@
-// Turns two configurations that meet further on, in a fold of higher order, into this fold.
+// Location of folds of higher order.
 #pragma once
 
 #include "fold_location.hpp"
@@ -6,9 +6,9 @@
 
 namespace assur::mechanism::follow {
 
-/// The fold of a pair at which the parameter does not change to third order along the branch, as
-/// can be due to symmetry: p = p* - a s^4 - b s^6 ..., where s is the separation, which vanishes as
-/// the fourth root of the distance. Nothing where the pair does not approach like that.
+/// The fold of a pair at which the parameter does not change to third order along the branch, for
+/// example due to symmetry: p = p* - a s^4 - b s^6 ..., where s is the separation, which vanishes
+/// as the fourth root of the distance. Returns nothing if the pair does not approach in this way.
 [[nodiscard]] std::optional<EventLocation> locate_flat_fold(SnapshotSolver& solver,
                                                             const ConfigurationPair& near);
 

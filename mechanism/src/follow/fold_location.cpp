@@ -10,8 +10,8 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// The same pair at another distance from its fold. Its separation is proportional to the root of
-/// the distance.
+/// The same pair at another distance from its fold. Its separation is proportional to the square
+/// root of the distance.
 std::optional<ConfigurationPair> followed(SnapshotSolver& solver, const ConfigurationPair& pair,
                                           double parameter) {
   const double distance = pair.distance_to_fold();
@@ -36,19 +36,18 @@ std::optional<ConfigurationPair> approached(SnapshotSolver& solver, Configuratio
 }
 
 /// The estimate from one width of a fold's interpolation, and the contribution of its widest pair,
-/// which is about what the next narrower width would change.
+/// which is about the change that the next narrower width would cause.
 struct FoldEstimate {
   EventLocation location;
   double change;
 };
 
-/// How g is taken at a configuration. The configuration's own g is exact for the lengths as
-/// rounding has left them, and so is the place along the motion. The pair's g, with opposite signs,
-/// is free of the motion of the middle, which spoils the interpolation of pairs far from their
-/// fold.
+/// How g is computed at a configuration. The configuration's own g is exact for the rounded
+/// lengths, and so is the place along the motion. The pair's g, with opposite signs, is free of the
+/// motion of the middle, which spoils the interpolation of pairs far from their fold.
 enum class NodeOf : unsigned char { each, pair };
 
-/// Interpolates over pairs up to a separation; the truncation error is of its eighth power.
+/// Interpolates over pairs up to a separation s; the truncation error is of order s^8.
 std::optional<FoldEstimate> fold_at_separation(SnapshotSolver& solver,
                                                const ConfigurationPair& near, double target,
                                                NodeOf node) {
@@ -144,12 +143,12 @@ std::optional<ConfigurationPair> pair_followed(SnapshotSolver& solver,
 
 std::optional<EventLocation> locate_fold(SnapshotSolver& solver, const ConfigurationPair& near,
                                          bool through) {
-  // The narrow widths serve branches that bend sharply, as they do beside another fold, at the cost
-  // of some rounding; the wide ones come last, for where rounding spoils all others.
+  // The narrow widths serve branches that bend sharply, as beside another fold, at the cost of some
+  // rounding; the wide ones come last, for cases in which rounding spoils all others.
   constexpr std::array usual{1e-3, 3e-4, 1e-4, 3e-5, 1e-5, 3e-6, 1e-6, 3e-7, 1e-2, 6e-2};
   constexpr std::array wide{6e-2, 2e-2, 6e-3, 2e-3, 6e-4, 2e-4, 6e-5};
   constexpr double settled = 1e-10;
-  constexpr double lessened = 0.1;  // A smaller improvement may be the chance of rounding.
+  constexpr double lessened = 0.1;  // A smaller improvement may be accidental rounding.
   std::optional<FoldEstimate> best;
   for (const double target : through ? std::span<const double>(wide) : usual) {
     const auto found = fold_at_separation(solver, near, target, NodeOf::each);

@@ -1,4 +1,4 @@
-// Turns two configurations that meet further on into the fold where they meet.
+// Location of the fold in which two configurations meet.
 #pragma once
 
 #include <optional>
@@ -17,19 +17,20 @@ struct ConfigurationPair {
   [[nodiscard]] const ConfigurationPoint& second() const;
   [[nodiscard]] Eigen::VectorXd apart() const { return second().at - first().at; }
   [[nodiscard]] double separation() const { return apart().norm(); }
-  /// The estimated parameter distance to the fold, if there is one near: the squared separation is
-  /// linear in the parameter there.
+  /// The estimated parameter distance to the fold, if one is near: the squared separation is linear
+  /// in the parameter there.
   [[nodiscard]] double distance_to_fold() const;
 };
 
-/// The pair of a set that is nearest to two predicted places, each missed by less than `tolerance`.
+/// The pair of a set nearest to two predicted places, each within `tolerance`.
 [[nodiscard]] std::optional<ConfigurationPair> pair_near(const SnapshotPointer& set,
                                                          const Eigen::VectorXd& one,
                                                          const Eigen::VectorXd& other,
                                                          double tolerance);
 
 /// The same pair at another value of the parameter: its middle moves smoothly, and its separation
-/// is multiplied by `shrink`. Nothing where that is not positive, or no pair is found there.
+/// is multiplied by `shrink`. Returns nothing if that is not positive, or if no pair is found
+/// there.
 [[nodiscard]] std::optional<ConfigurationPair> pair_followed(SnapshotSolver& solver,
                                                              const ConfigurationPair& pair,
                                                              double parameter, double shrink);

@@ -9,9 +9,9 @@ namespace {
 
 /// The first distance from the step, as a part of the sweep.
 constexpr double beside = 1e-5;
-/// The farthest distance is where the mechanism has moved by this part of its size, even if that is
-/// beyond the next steps or the end of a short sweep: how far a change point spoils sets does not
-/// depend on the steps.
+/// At the farthest distance the mechanism has moved by this part of its size, even if that is
+/// beyond the next steps or the end of a short sweep: the range in which a change point spoils sets
+/// does not depend on the steps.
 constexpr double farthest_beside = 0.25;
 
 }  // namespace

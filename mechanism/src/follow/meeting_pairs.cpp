@@ -7,12 +7,12 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// For a third branch to pass within a fold, the pair must be this close, and the third as near to
-/// its middle.
+/// The largest separation of a pair that folds with a third branch through it, and the largest
+/// offset of the third from its middle.
 constexpr double through_separation = 2e-3;
 constexpr double through_offset = 0.02;
 
-/// Whether two branches run head-on: shortly before they meet they move towards each other, and
+/// Whether two branches run head-on: shortly before the meeting they move towards each other, and
 /// their middle hardly moves.
 bool head_on(const ConfigurationPair& pair) {
   const Eigen::VectorXd& one = pair.first().slope;

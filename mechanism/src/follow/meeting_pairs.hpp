@@ -1,4 +1,4 @@
-// Turns configurations without a match across an interval into pairs that meet in it.
+// Pairs of unmatched configurations that meet within an interval.
 #pragma once
 
 #include <utility>
@@ -8,15 +8,15 @@
 
 namespace assur::mechanism::follow {
 
-/// The side of an interval where the configurations in question exist, and its other end.
+/// One side of an interval, with configurations to examine, and its other end.
 struct Side {
   SnapshotPointer near;
   double end;
   bool is_left;
 
   [[nodiscard]] double reach() const { return end - near->parameter; }
-  /// Whether an estimate lies within the interval. It may overshoot a little; the located value
-  /// may not.
+  /// Whether an estimate lies within the interval. It may overshoot slightly; the located value may
+  /// not.
   [[nodiscard]] bool reaches(double distance, double slack) const {
     const double part = distance / reach();
     return part > 0 && part < 1 + slack;
@@ -24,11 +24,11 @@ struct Side {
 };
 
 /// The pair that meets next: the closest of those that run head-on, or else the closest of all.
-/// Where several pairs meet in one configuration, the closest belong to different ones.
+/// Where several pairs meet in one configuration, the closest two may belong to different ones.
 [[nodiscard]] std::pair<PointIndex, PointIndex> meeting(const Side& side,
                                                         const std::vector<PointIndex>& among);
 
-/// Whether no other configuration is near the pair or the place where it will meet. Two exceptions
+/// Whether no other configuration is near the pair or its predicted meeting place. Two exceptions
 /// are allowed: one configuration right between the two, which becomes `through`, and those among
 /// `alone` that meet in the same place.
 [[nodiscard]] bool is_apart_from_others(const ConfigurationPair& pair, double distance,

@@ -1,4 +1,4 @@
-// Turns a sweep and the reference of its request into the number of the branch nearest to it.
+// Number of the branch of a sweep that is nearest to the request's reference.
 #include <algorithm>
 #include <assur/mechanism/sweep.hpp>
 #include <cmath>
@@ -11,7 +11,7 @@ namespace assur::mechanism::follow {
 
 namespace {
 
-/// How far the links of two configurations are apart, squared, with lengths as parts of `size`.
+/// The squared distance between the links of two configurations, with lengths relative to `size`.
 double square_between(const Configuration& one, const Configuration& other, double size) {
   double square = 0;
   for (const LinkIndex link : one.links.keys()) {
@@ -62,7 +62,7 @@ class NearestBranchFinder {
       return std::nullopt;
     }
     // A sweep to the next step has the same branches there as the whole one, with the same numbers;
-    // without that step it would not tell branches apart that cross here.
+    // without that step it could not distinguish branches that cross here.
     const int next = std::min(start->step + 1, request_.sweep->count - 1);
     const double size = size_of(start->configuration);
     double least = std::numeric_limits<double>::infinity();
@@ -112,8 +112,8 @@ class NearestBranchFinder {
     return std::nullopt;
   }
 
-  /// The drawn configuration at the parameter's own value, followed to a step beside it: the nearer
-  /// one if it gets there. Nothing where that value is outside the sweep.
+  /// The drawn configuration at the parameter's own value, followed to a neighbouring step: the
+  /// nearer one if it can be reached. Returns nothing if that value is outside the sweep.
   [[nodiscard]] std::optional<Start> start_at_drawing() {
     const int last = request_.sweep->count - 1;
     const double part = from_ == to_ ? 0 : (own_ - from_) / (to_ - from_);
@@ -135,8 +135,8 @@ class NearestBranchFinder {
     return std::nullopt;
   }
 
-  /// Where the branch through a configuration at the own value is at another one; nothing if it
-  /// ends before.
+  /// The configuration at another value on the branch through a drawn configuration at the own
+  /// value; nothing if the branch ends before.
   [[nodiscard]] std::optional<Configuration> followed(const Configuration& drawn, double to) const {
     if (to == own_) {
       return drawn;

@@ -18,7 +18,7 @@ namespace {
 
 using Events = std::vector<SingularEvent>;
 
-/// A branch may be on its way to infinity if its point is larger than this.
+/// A branch with a larger point may be on its way to infinity.
 constexpr double far_away = 50;
 
 class Explanation {
@@ -62,7 +62,7 @@ class Explanation {
   }
 
   /// Explains a pair by a fold. Returns false if it does not meet within the interval, or if others
-  /// are near it that do not belong to `alone` and meet in the same place.
+  /// are near it, except those of `alone` that meet in the same place.
   [[nodiscard]] bool explain_fold(const ConfigurationPair& pair, const Side& side,
                                   const std::vector<PointIndex>& alone) {
     constexpr double slack = 0.1;
@@ -82,7 +82,7 @@ class Explanation {
     if (!found) {
       return false;
     }
-    // The fold may be at the end itself, up to rounding.
+    // Up to rounding, the fold may be at the end itself.
     const double rounding = 1e-13 * std::max(std::abs(side.end), std::abs(side.near->parameter));
     const double beyond =
         std::abs(found->parameter - side.near->parameter) - std::abs(side.reach());
@@ -178,8 +178,8 @@ class Explanation {
     return {{left, bundle}, {right, matched}};
   }
 
-  /// Sorts events by their parameter. Where that differs by rounding only, folds come first, and
-  /// then the order of the sets decides.
+  /// Sorts events by their parameter. Where parameters differ by rounding only, the kinds decide,
+  /// folds first, and then the order of the sets.
   void put_in_order(double sense) {
     const double rounding = 1e-10 * std::abs(solver_.to() - solver_.from());
     const auto before = [=](const SingularEvent& one, const SingularEvent& other) {
@@ -198,9 +198,9 @@ class Explanation {
         [&](std::size_t one, std::size_t other) { std::swap(events_[one], events_[other]); });
   }
 
-  /// Whether each match whose determinant changes its sign goes through an event, or goes straight
-  /// on up to rounding, as where the mechanism moves freely at one value. If such a place were
-  /// opened by w, two branches would change places within w, which makes a defect of w / step.
+  /// Whether each match whose determinant changes its sign goes through an event, or continues
+  /// straight up to rounding, as where the mechanism moves freely at one value. If a gap w opened
+  /// such a place, two branches would exchange places within w, with a defect of w / step.
   [[nodiscard]] bool turns_are_explained(const SnapshotPointer& left,
                                          const SnapshotPointer& right) const {
     const double step = right->parameter - left->parameter;
@@ -224,9 +224,9 @@ class Explanation {
     });
   }
 
-  /// Whether there are as many configurations between the events as these account for: others may
-  /// be born and end again within the interval. No set is taken between events that are close to
-  /// one another.
+  /// Whether the events account for the number of configurations between them: others may be born
+  /// and end again within the interval. No set is computed between events that are close to one
+  /// another.
   [[nodiscard]] bool are_all(const SnapshotPointer& left, const SnapshotPointer& right) {
     constexpr double close = 1e-2;
     std::size_t count = left->count();

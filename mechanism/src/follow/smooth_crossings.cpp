@@ -20,8 +20,8 @@ namespace {
 /// A singular point that branches go through.
 struct Crossing {
   EventLocation location;
-  Eigen::VectorXd place;  ///< as those of configurations
-  int corank;             ///< how many ranks the constraints lose there
+  Eigen::VectorXd place;  ///< in the coordinates of configurations
+  int corank;             ///< the rank that the constraints lose there
   std::vector<PointIndex> through;
 };
 
@@ -75,8 +75,7 @@ class Crossings {
  private:
   [[nodiscard]] double width() const { return right_.parameter - left_.parameter; }
 
-  /// The point of the right set to which a branch goes through a crossing; none where it is not
-  /// known.
+  /// The point of the right set to which a branch goes through a crossing; none if it is unknown.
   [[nodiscard]] PointIndex through_crossing(PointIndex point) {
     for (Crossing& crossing : crossings_) {
       if (const PointIndex to = beyond(crossing, point); to.exists()) {
@@ -99,7 +98,7 @@ class Crossings {
     if (!to.exists() || led_to(crossing, right_, to, left_) != from) {
       return {};
     }
-    // Each rank that is lost reverses the sign of one group's determinant.
+    // Each lost rank reverses the sign of one group's determinant.
     int changed = 0;
     for (const GroupIndex group : left_.roles.keys()) {
       const double product = left_.configuration(from).determinants[group] *
@@ -112,7 +111,7 @@ class Crossings {
     return changed == crossing.corank ? to : PointIndex();
   }
 
-  /// Where tangent and bend lead beyond a crossing, if there is only one configuration near.
+  /// The point that tangent and bend predict beyond a crossing, if only one configuration is near.
   [[nodiscard]] static PointIndex led_to(const Crossing& crossing, const Snapshot& near,
                                          PointIndex from, const Snapshot& far) {
     const double before = crossing.location.parameter - near.parameter;
@@ -157,7 +156,7 @@ class Crossings {
         return std::nullopt;
       }
       Crossing crossing{{parameter, configuration(singular.at), 0}, {}, corank, {}};
-      // Some roundings of all that F' is computed from.
+      // A few roundings of the data from which F' is computed.
       constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
       crossing.location.uncertainty = rounding * (way_of_size + std::abs(parameter));
       crossing.place = solver_.place_of(crossing.location.configuration);
@@ -167,7 +166,8 @@ class Crossings {
     }
   }
 
-  /// How far a point goes until F' loses ranks, to first order, and how many it loses together.
+  /// The distance from a point to the rank loss of F', to first order, and the number of ranks lost
+  /// together.
   [[nodiscard]] static std::pair<double, int> first_singular(
       const solve::ConstraintsOnWay& system, const solve::ConstraintsOnWay::Point& point,
       const Eigen::VectorXd& direction) {
@@ -179,8 +179,8 @@ class Crossings {
     double nearest = std::numeric_limits<double>::infinity();
     const auto each_zero = [&](const auto& use) {
       for (const std::complex<double>& inverse : inverses) {
-        // The m zeros of a point where m ranks are lost are spread in a circle by the bend of the
-        // branch, which `together` allows to be as wide as this.
+        // The bend of the branch spreads the m zeros of a point where m ranks are lost over a
+        // circle; `together` allows this width.
         constexpr double nearly_real = 0.3;
         if (inverse.real() > 0 && std::abs(inverse.imag()) < nearly_real * inverse.real()) {
           use(1 / inverse.real());
@@ -195,7 +195,7 @@ class Crossings {
     return {nearest, count};
   }
 
-  /// A configuration in which only places are known.
+  /// A configuration in which only the links' places are known.
   [[nodiscard]] Configuration configuration(const solve::ConstraintsOnWay::Point& at) {
     Configuration result = unknown_configuration(solver_.plan());
     const Values& values = solver_.values_at(at.parameter);

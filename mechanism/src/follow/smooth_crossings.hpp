@@ -1,5 +1,5 @@
-// The branches of an interval in which some go through singular configurations, and the crossings
-// where several go through one.
+// Branches of an interval that go through singular configurations, and the crossings of those that
+// share one.
 #pragma once
 
 #include <optional>
@@ -18,11 +18,11 @@ struct CrossedBranches {
   std::vector<SingularEvent> crossings;
 };
 
-/// Takes each configuration whose match is not clear through the singular point that its tangent
-/// leads to. All constraints together locate that point, and tell that it is not open by more than
-/// rounding. The branch goes on with the tangent and the bend with which it comes, to the only
-/// configuration near to where these lead; seen from there, they must lead back. Returns nothing if
-/// this is not so for all of them, or where laws read joints.
+/// Takes each configuration whose match is not clear through the singular point to which its
+/// tangent leads. All constraints together locate that point, and verify that it is open by
+/// rounding at most. The branch continues with the tangent and bend of its approach, to the only
+/// configuration near the prediction; the prediction from there must lead back. Returns nothing if
+/// this fails for one of them, or where laws read joints.
 [[nodiscard]] std::optional<CrossedBranches> smooth_crossings(SnapshotSolver& solver,
                                                               const SnapshotPointer& left,
                                                               const SnapshotPointer& right,

@@ -1,16 +1,19 @@
-// Holds every configuration at one value of the swept parameter, as points of one space.
+// Every configuration at one value of the swept parameter, as points of one space.
 #pragma once
 
+#include <algorithm>
 #include <assur/directions.hpp>
 #include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/structure.hpp>
 #include <assur/mechanism/values.hpp>
 #include <memory>
+#include <ranges>
+#include <vector>
 
 namespace assur::mechanism::follow {
 
 /// One configuration as a point: (x / L, y / L, cos theta, sin theta) of every link, with L a
-/// length of the mechanism, and the derivative of that with respect to the swept parameter.
+/// length of the mechanism, and its derivative with respect to the swept parameter.
 struct ConfigurationPoint {
   Eigen::VectorXd at;
   Eigen::VectorXd slope;
@@ -23,18 +26,18 @@ struct Snapshot {
   double parameter = 0;
   Spread spread;
   Solution solution;
-  /// The roles that the links of every group played: determinants are compared where they agree.
+  /// The roles of every group's links: determinants are compared where they agree.
   Table<GroupIndex, const RoleAssignment*> roles;
   Table<PointIndex, ConfigurationPoint> points;  ///< in the order of the solution's configurations
   /// Whether every configuration is known, regular and apart from all others, so that each can be
   /// followed.
   bool separable = true;
   double closest = 0;  ///< the least distance of two points; infinite for fewer than two
-  /// Whether something moves freely at this value alone, so that branches have no configuration
+  /// Whether some links move freely at this value alone, so that branches have no configuration
   /// here.
   bool has_own_family = false;
 
-  /// Whether infinitely many configurations replace some that can be followed elsewhere.
+  /// Whether infinitely many configurations replace some that are isolated elsewhere.
   [[nodiscard]] bool is_degenerate() const {
     return solution.status == SolutionStatus::degenerate || has_own_family;
   }
@@ -64,6 +67,38 @@ void set_point(const Configuration& configuration, double length, const SlopeOf&
     row += 4;
   }
 }
+/// Points in the order of their places along one fixed line. Two points are at least as far apart
+/// as their places, so that only near ones in this order can be near.
+class OrderOnLine {
+ public:
+  struct Place {
+    double place;
+    PointIndex point;
+  };
+
+  /// `at(point)` is where the point with an index is.
+  template <typename At>
+  OrderOnLine(std::size_t count, const At& at) {
+    for (std::size_t index = 0; index < count; ++index) {
+      places_.push_back({place_of(at(PointIndex(index))), PointIndex(index)});
+    }
+    std::ranges::sort(places_, {}, &Place::place);
+  }
+
+  /// The place of a point on the line.
+  [[nodiscard]] static double place_of(const Eigen::VectorXd& point);
+  [[nodiscard]] const std::vector<Place>& places() const { return places_; }
+  /// The points whose places are within a distance from one.
+  [[nodiscard]] auto within(double distance, double place) const {
+    return std::ranges::subrange(
+        std::ranges::lower_bound(places_, place - distance, {}, &Place::place),
+        std::ranges::upper_bound(places_, place + distance, {}, &Place::place));
+  }
+
+ private:
+  std::vector<Place> places_;
+};
+
 /// The least distance of two points; infinite for fewer than two.
 [[nodiscard]] double least_distance(const Table<PointIndex, ConfigurationPoint>& points);
 /// Whether every configuration has its derivatives, so that it can be followed.

@@ -17,21 +17,22 @@ namespace assur::mechanism::follow {
 namespace {
 
 /// The largest number of sets between two steps. One turn of a crank takes about a hundred, and the
-/// hardest sweeps of the tests take two thousand. A sweep that needs more than the limit is
-/// refused, because it would take too long.
+/// hardest sweeps of the tests take two thousand. A sweep that needs more is refused, because it
+/// would take too long.
 constexpr int most_between_steps = 10000;
-/// Whole turns of angles that laws read are counted at this many values of a sweep at least.
+/// The least number of values of a sweep at which the whole turns of angles that laws read are
+/// counted.
 constexpr double least_counts = 512;
-/// The shortest steps in which it is determined whether branches meet or miss one another, as a
-/// part of the way that moves the mechanism by its size. In shorter ones near a meeting, rounding
-/// hides how links turn.
+/// The shortest steps that decide whether branches meet or miss one another, as a part of the way
+/// that moves the mechanism by its size. In shorter ones near a meeting, rounding hides the turning
+/// of links.
 constexpr double least_counting_step = 1e-7;
 /// Where branches meet at the first step, turns are counted from a set beside it, at this part of
 /// the way that moves the mechanism by its size.
 constexpr double beside_first = 1e-5;
-/// The most steps that lead to one value.
+/// The largest number of steps that lead to one value.
 constexpr int most_counting_steps = 4096;
-/// Whether some group's loop Jacobian has no sign, as where configurations of it meet.
+/// Whether some group's loop Jacobian has no sign, as where its configurations meet.
 bool lacks_signs(const Snapshot& snapshot) {
   return std::ranges::any_of(
       snapshot.solution.configurations, [](const Configuration& configuration) {
@@ -40,7 +41,7 @@ bool lacks_signs(const Snapshot& snapshot) {
       });
 }
 
-/// The joints that laws read from where links are.
+/// The joints whose coordinates laws read.
 std::vector<JointIndex> joints_that_laws_read(const Mechanism& mechanism) {
   std::vector<JointIndex> read;
   for (const DriverIndex driver : mechanism.drivers().keys()) {
@@ -60,11 +61,11 @@ Eigen::Index column_of(const std::vector<ParameterIndex>& columns, ParameterInde
   return std::find(columns.begin(), columns.end(), parameter) - columns.begin();
 }
 
-/// Configurations closer than this may be one that all constraints close from several of the rest.
+/// Configurations closer than this may be one, which only all constraints together determine.
 constexpr double closest_settled = 1e-9;
 
-/// How fast a number changes, in units per parameter. Where it stands still for a moment, what
-/// counts is how far the parameter goes until it has changed by a unit.
+/// The speed at which a number changes, in units per parameter. If it is stationary, the inverse of
+/// the parameter's change until the number has changed by a unit.
 double speed_of(const models::Series& number, double unit) {
   return std::max(std::abs(number.c[1]) / unit, std::sqrt(std::abs(number.c[2]) / unit));
 }
@@ -165,12 +166,12 @@ std::unique_ptr<Snapshot> SnapshotSolver::begun(double parameter) {
   return snapshot;
 }
 
-/// The set at a value. Where laws read angles, their turns are counted in small steps from the
-/// nearest set in which they are known. A step that may cross a place where branches meet, or miss
-/// one another, is shortened until it is known which of them go on, or as far as is useful. A doubt
-/// that is left there may last, as where a branch stays singular; until it ends, the steps grow,
-/// since shorter ones would not remove it. Far beyond the sweep, where only a wrong guess can lead,
-/// nothing is counted in steps.
+/// The set at a value. If laws read angles, their turns are counted in small steps from the nearest
+/// set in which they are known. A step that may cross a place where branches meet, or miss one
+/// another, is shortened until their continuations are known, or as far as is useful. A remaining
+/// doubt may last, as where a branch stays singular; until it ends, the steps grow, since shorter
+/// ones would not remove it. Far beyond the sweep, where only a wrong guess can lead, no steps are
+/// taken.
 SnapshotPointer SnapshotSolver::solved(double parameter, bool finds_motions) {
   if (counted_.is_empty()) {
     return solved_here(parameter, finds_motions);

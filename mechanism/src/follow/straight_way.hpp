@@ -1,4 +1,4 @@
-// The sweep along the straight line between two sets of parameters' values.
+// Sweep along the straight line between two sets of parameters' values.
 #pragma once
 
 #include <assur/mechanism/plan.hpp>
@@ -8,11 +8,11 @@
 
 namespace assur::mechanism::follow {
 
-/// A mechanism in which some parameters go from one value to another at once: their formulas are
-/// from (1 - t) + to t, with t from 0 to 1.
+/// A mechanism in which some parameters change from one value to another together: their formulas
+/// are from (1 - t) + to t, with t from 0 to 1.
 class StraightWay {
  public:
-  /// A value of every one of the changing parameters, in their order.
+  /// The values of the changing parameters, in their order.
   using Place = std::vector<double>;
 
   StraightWay(Mechanism mechanism, Request request, const std::vector<ParameterIndex>& changing);
@@ -22,8 +22,9 @@ class StraightWay {
     int number;
     Configuration end;
   };
-  /// The branches that a sweep follows from `from` to `to`. One that ends before, or is not told
-  /// apart from another one, is left out. `others` are the values of parameters that do not change.
+  /// The branches that a sweep follows from `from` to `to`. A branch that ends before, or cannot be
+  /// distinguished from another, is left out. `others` are the values of parameters that do not
+  /// change.
   [[nodiscard]] std::vector<Branch> branches(
       const Place& from, const Place& to,
       const std::vector<std::pair<std::string, double>>& others) const;

@@ -1,3 +1,4 @@
+// Follows every branch over the range of a swept parameter, with events, circuits and rows.
 #include <algorithm>
 #include <assur/mechanism/sweep.hpp>
 #include <cmath>
@@ -18,15 +19,15 @@ namespace assur::mechanism::follow {
 namespace {
 
 /// The sweep is solved in at least this many intervals, however few steps it has. A pair of
-/// branches that is born and ends again within one interval is not seen.
+/// branches that is born and ends again within one interval remains undetected.
 constexpr int least_intervals = 512;
-/// An event that is this near to a step, in parts of the way that moves the mechanism by its size,
-/// is taken to happen at the step. This is well above rounding, which depends on the listing and
-/// the unit, and well below the distance at which sets can be followed.
+/// An event this near to a step, as a part of the way that moves the mechanism by its size, counts
+/// as an event at the step. This is well above rounding, which depends on the listing and the unit,
+/// and well below the distance at which sets can be followed.
 constexpr double at_a_step = 5e-15;
 
 /// The error of a crossing's place may be this many times the difference of its estimates, which
-/// gives the order of the error only.
+/// gives only the order of magnitude of the error.
 constexpr double doubt_of_crossings = 3;
 
 class Sweeper {
@@ -41,9 +42,9 @@ class Sweeper {
     }
   }
 
-  /// Looks at the configurations at a value of the swept parameter on the way.
+  /// Watches the configurations at a value of the swept parameter within the sweep.
   void watch(double value) { watched_ = value; }
-  /// The branches of the configurations that have rows there, as `SweptPlaces` lists them.
+  /// The branches of the configurations with rows there, as `SweptPlaces` lists them.
   [[nodiscard]] std::vector<int> watched_branches() const {
     std::vector<int> shown;
     for (const int branch : watched_branches_) {
@@ -52,7 +53,7 @@ class Sweeper {
     return shown;
   }
 
-  /// Runs the sweep. Returns how many branches have been numbered.
+  /// Runs the sweep. Returns the number of branches.
   int run() {
     for (int step = 0; step < count(); ++step) {
       (void)solver_.values_at(value_at(step));
@@ -88,7 +89,7 @@ class Sweeper {
   [[nodiscard]] double value_at(int step) const {
     return value_at_step(solver_.from(), solver_.to(), step, count());
   }
-  /// By how much the value of a step may be rounded.
+  /// The rounding error of a step's value.
   [[nodiscard]] double rounding_of_steps() const {
     return 4 * std::numeric_limits<double>::epsilon() *
            std::max(std::abs(solver_.from()), std::abs(solver_.to()));
@@ -147,7 +148,7 @@ class Sweeper {
       to = {after, tracker_.branches()};
     }
     std::vector<int> gone_after = to.branches.items();
-    // In an interval of more than a step it is not known on which side of an event a row is.
+    // In an interval longer than a step it is unknown on which side of an event a row lies.
     const bool is_wide =
         from.set && to.set && std::abs(to.set->parameter - from.set->parameter) > step_width();
     unresolved_ =
@@ -170,8 +171,8 @@ class Sweeper {
   }
 
   /// Adds an unresolved event where no set can be followed beyond the first or last step, for the
-  /// branches that neither rows nor events name; and where none can be followed on either side of a
-  /// step, for the gap that begins there.
+  /// branches in neither rows nor events; and where none can be followed on either side of a step,
+  /// for the gap that begins there.
   void add_unresolved(int step, double value, const std::vector<StepRow>& rows) {
     const bool is_new_gap = !unfollowed_->leads_in() && !unfollowed_->leads_on() && !gap_;
     if (is_new_gap) {
@@ -190,7 +191,7 @@ class Sweeper {
     }
   }
 
-  /// Handles a step that the interval of an earlier step covers.
+  /// Handles a step within the interval of an earlier step.
   void pass_later(int step, const Snapshot& set) {
     const std::vector<StepRow> rows = unfollowed_->rows(set);
     if (set.is_degenerate()) {
@@ -245,8 +246,8 @@ class Sweeper {
     return rows;
   }
 
-  /// Reports the events since the last step, which may name branches that have their first rows at
-  /// this step, and then the rows of this step.
+  /// Reports the events since the last step, which may involve branches that have their first rows
+  /// at this step, and then the rows of this step.
   void report(int step, const Snapshot& set, const std::vector<StepRow>& rows) {
     for (const StepRow& row : rows) {
       told_.note(row);
@@ -320,7 +321,7 @@ class Sweeper {
                       &set.spread, row.state});
   }
 
-  /// Takes the tracker's events. Those at a step up to rounding are moved to the step, and those
+  /// Takes the tracker's events. Events at a step up to rounding are moved to the step, and those
   /// beyond the ends of the sweep are not reported.
   void take_events() {
     const double way = tracker_.running() ? solver_.way_of_size(*tracker_.current()) : 0;
@@ -348,7 +349,7 @@ class Sweeper {
     }
   }
 
-  /// Handles an unresolved event, which happens anywhere within its uncertainty about a middle.
+  /// Handles an unresolved event, which lies anywhere within its uncertainty about a middle.
   /// Branches without rows that may end or begin beyond the ends of the sweep are not reported.
   void leave_unknown(BranchEvent& event, double middle) {
     const double reach = sense() * event.uncertainty;
@@ -363,7 +364,7 @@ class Sweeper {
     }
   }
 
-  /// Whether an event, and the branches that it names, lie within the sweep.
+  /// Whether an event, and its branches, lie within the sweep.
   [[nodiscard]] bool is_within(const BranchEvent& event) const {
     const bool only_ends = event.kind == EventKind::fold || event.kind == EventKind::escape;
     const bool only_begins = event.kind == EventKind::birth || event.kind == EventKind::arrival;
@@ -384,8 +385,8 @@ class Sweeper {
       }
     }
   }
-  /// Sets an event's residual, and returns the spread of the parameters there. Where a formula has
-  /// no value at the event, the residual stays unknown and the spread is zero.
+  /// Sets an event's residual, and returns the spread of the parameters there. If a formula has no
+  /// value at the event, the residual stays unknown and the spread is zero.
   [[nodiscard]] Spread complete(BranchEvent& event) {
     try {
       const Values& values = solver_.values_at(event.parameter);
@@ -398,7 +399,7 @@ class Sweeper {
     }
   }
 
-  /// The first event that does not lie before a value.
+  /// The first event at or after a value.
   [[nodiscard]] std::vector<BranchEvent>::iterator until(double value) {
     return std::ranges::find_if(
         later_, [&](const BranchEvent& event) { return sense() * (event.parameter - value) >= 0; });
@@ -429,8 +430,8 @@ class Sweeper {
   std::optional<CircuitFinder> circuits_;  ///< where they are asked for
   std::optional<double> watched_;
   std::vector<int> watched_branches_;
-  std::optional<EventKind> gap_;                  ///< why no branch is followed at present
-  std::optional<UnfollowedInterval> unfollowed_;  ///< the last that was not followed step by step
+  std::optional<EventKind> gap_;  ///< the reason why no branch is followed at present
+  std::optional<UnfollowedInterval> unfollowed_;  ///< the last one not followed step by step
 };
 
 /// Solving throws where redundant constraints do not hold as the sweep begins.

@@ -1,4 +1,4 @@
-// Turns the sweep of a request into the values of its steps.
+// Values of a sweep's steps, and checks of the request.
 #pragma once
 
 #include <assur/mechanism/sweep.hpp>
@@ -11,7 +11,7 @@ namespace assur::mechanism::follow {
   return last == 0 ? from : from + (to - from) * (static_cast<double>(step) / last);
 }
 
-/// The request of the same configurations without the results that follow from positions.
+/// The request of the same configurations without the results that are derived from positions.
 [[nodiscard]] inline Request positions_of(Request request) {
   request.want.velocity = request.want.acceleration = request.want.sensitivity = false;
   request.want.coefficients = false;
@@ -20,7 +20,7 @@ namespace assur::mechanism::follow {
 }
 
 /// Throws MechanismError for a request without a sweep, and for one that cannot be run. Returns the
-/// observer with functions that do nothing in place of those that it lacks.
+/// observer with missing functions replaced by functions without effect.
 [[nodiscard]] SweepObserver expect_sweep(const Plan& plan, const Values& values,
                                          SweepObserver observer);
 

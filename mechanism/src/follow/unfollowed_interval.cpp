@@ -16,7 +16,7 @@ bool is_singular(const Snapshot& step, PointIndex point) {
   return step.configuration(point).regularity != Status::ok;
 }
 
-/// How many branches are known to go through a configuration.
+/// The number of branches known to go through a configuration.
 std::size_t room(const Snapshot& step, PointIndex point) {
   return std::max<std::size_t>(1, step.configuration(point).branches.size());
 }
@@ -54,7 +54,7 @@ std::vector<StepRow> UnfollowedInterval::rows(const Snapshot& step) const {
   return rows;
 }
 
-/// Where a branch is expected: on the cubic through the interval, or straight on from one end.
+/// The predicted place of a branch: on the cubic through the interval, or straight on from one end.
 Eigen::VectorXd UnfollowedInterval::expected(const BranchAtEnd& lead, double parameter) const {
   const ConfigurationPoint& start = lead.from->set->points[lead.point];
   const double move = parameter - lead.from->set->parameter;
@@ -109,7 +109,7 @@ void UnfollowedInterval::add_rows(const Snapshot& step, PointIndex point,
                                   std::vector<StepRow>& rows) const {
   const Configuration& here = step.configuration(point);
   const auto first = rows.size();
-  // The redundant constraints leave one of several motions.
+  // The redundant constraints permit only one of several motions.
   if (here.rates_known && leads.size() > 1 && !here.plan->redundant.empty()) {
     const auto rank = [&](const BranchAtEnd* lead) {
       return std::pair(difference_of_rates(*lead, here), lead->branch);

@@ -1,5 +1,4 @@
-// Turns the branches on both sides of steps whose configurations cannot be told apart into the
-// branches of the steps' rows.
+// Assignment of rows to branches at steps whose configurations cannot be distinguished.
 #pragma once
 
 #include <vector>
@@ -14,7 +13,7 @@ struct IntervalEnd {
   Table<PointIndex, int> branches;  ///< 0 for those that are not reported
 };
 
-/// A row of a step: a configuration, with the rates that it has on one branch.
+/// A row of a step: a configuration, with its rates on one branch.
 struct StepRow {
   PointIndex point;
   int branch;  ///< 0 if it belongs to none
@@ -30,7 +29,7 @@ class UnfollowedInterval {
   UnfollowedInterval(const UnfollowedInterval&) = delete;  // the leads point to the ends
   UnfollowedInterval& operator=(const UnfollowedInterval&) = delete;
 
-  /// Whether a value lies inside, seen in the sense of a sweep.
+  /// Whether a value lies inside, in the direction of a sweep.
   [[nodiscard]] bool covers(double parameter, double sense) const {
     return after_.set != nullptr && sense * (after_.set->parameter - parameter) > 0;
   }
@@ -40,11 +39,10 @@ class UnfollowedInterval {
   /// The numbers of the branches that lead into it, and of those that lead out of it.
   [[nodiscard]] std::vector<int> branches_before() const { return told(before_); }
   [[nodiscard]] std::vector<int> branches_after() const { return told(after_); }
-  /// The rows of a step. Each configuration is assigned to the branch that is expected nearest to
-  /// it, first to one that goes through. A singular configuration is then assigned to all other
-  /// branches that have none yet, for several may meet in it. Each branch that goes through it has
-  /// a row, with its own rates where they are known; otherwise one row has the least of their
-  /// numbers.
+  /// The rows of a step. Each configuration is assigned to the branch with the nearest prediction,
+  /// first to one that goes through. A singular configuration is then assigned to all branches
+  /// without one, since several may meet in it. Each branch through it has a row, with its own
+  /// rates where they are known; otherwise one row has the least of their numbers.
   [[nodiscard]] std::vector<StepRow> rows(const Snapshot& step) const;
 
  private:

@@ -79,8 +79,8 @@ Eigen::MatrixXd Balance::matrix_with(const std::vector<Reaction>& further) const
   return all.matrix;
 }
 
-/// The first of a link's features that a joint holds is its pivot. The size is the longest distance
-/// from a pivot to a place where the link is held.
+/// The pivot of a link is the first of its features that a joint holds. The size is the longest
+/// distance from a link's pivot to another of its held features.
 void Balance::find_pivots() {
   Table<LinkIndex, bool> found(mechanism_.links().size(), false);
   found[mechanism_.ground()] = true;
@@ -134,7 +134,7 @@ Eigen::VectorXd Balance::rows_of(const Table<LinkIndex, Wrench>& wrenches) const
 }
 
 double Balance::threshold() const {
-  /// Six digits of the largest force remain where a direction is shortened by this much.
+  /// Six digits of the largest force remain if a direction is shortened by this factor.
   constexpr double least = 1e-9;
   const NumberIndex tolerance = values_.plan().request.redundancy_tolerance;
   return tolerance.exists() ? std::max(least, values_.value_of(tolerance) / size_) : least;

@@ -1,5 +1,5 @@
-// The equilibrium of all links of a mechanism, with a unit of each joint's force and of each
-// driver's effort as its columns.
+// Equilibrium of all links of a mechanism; its columns are unit joint forces and unit efforts of
+// drivers.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,31 +17,31 @@ namespace assur::mechanism::forces {
   return arm.x() * force.y() - arm.y() * force.x();
 }
 
-/// One unknown of the equilibrium: what holds a coordinate of a pair of features.
+/// One unknown of the equilibrium: the reaction that holds a coordinate of a pair of features.
 struct HeldCoordinate {
   std::size_t pair;
   int coordinate;      ///< 0 or 1: along the x- or y-axis of the first feature; 2: the angle
-  DriverIndex driver;  ///< that prescribes the coordinate; does not exist where a bearing holds it
+  DriverIndex driver;  ///< that prescribes the coordinate; does not exist if a bearing holds it
 };
 
-/// The equilibrium for links that follow a parameter.
+/// The equilibrium of links that depend on a parameter.
 struct Equilibrium {
   std::vector<Reaction> units;  ///< of each unknown
   Eigen::MatrixXd matrix;
-  Eigen::MatrixXd derivative;  ///< by the parameter
+  Eigen::MatrixXd derivative;  ///< with respect to the parameter
 };
 
-/// A x + w = 0: three rows for each link that moves, the force and, divided by the size, the moment
+/// A x + w = 0: three rows for each moving link, the force and, divided by the size, the moment
 /// about the link's pivot; couples among the unknowns are in units of the size. A driver whose law
-/// reads joints acts at these, too, by the law's derivatives. The transposed matrix turns the rates
-/// of the links into those of the coordinates.
+/// reads joints acts at these, too, by the law's derivatives. The transposed matrix maps the rates
+/// of the links to those of the coordinates.
 class Balance {
  public:
   /// Both must outlive it.
   Balance(const Values& values, const Configuration& configuration);
 
   [[nodiscard]] const Eigen::MatrixXd& matrix() const { return here_.matrix; }
-  /// The same with columns for further reactions behind the others.
+  /// The same with columns for further reactions after the others.
   [[nodiscard]] Eigen::MatrixXd matrix_with(const std::vector<Reaction>& further) const;
   /// The unit of each unknown.
   [[nodiscard]] const std::vector<Reaction>& units() const { return here_.units; }
@@ -50,19 +50,19 @@ class Balance {
   [[nodiscard]] const MovingLinks& links() const { return links_; }
   [[nodiscard]] const JointCoordinates& coordinates() const { return links_.coordinates(); }
   [[nodiscard]] double size() const { return size_; }
-  /// Below which part of the largest factor a direction of A counts as null.
+  /// Directions that A shortens to less than this part of its largest pivot count as null.
   [[nodiscard]] double threshold() const;
   /// The place in the ground's frame about which a link's moment is taken.
   [[nodiscard]] const Table<LinkIndex, Eigen::Vector2d>& pivots() const { return pivots_; }
   /// The first of the three rows of a link; -1 for the ground.
   [[nodiscard]] Eigen::Index row_of(LinkIndex link) const { return row_of_[link]; }
-  /// The unknown's unit in which couples count: the size.
+  /// The unit of an unknown: the size for couples.
   [[nodiscard]] double unit_of(int coordinate) const { return coordinate == 2 ? size_ : 1; }
   /// The equilibrium of these links; without laws, drivers act at their own joints alone.
   [[nodiscard]] Equilibrium equilibrium(const MovingLinks& links, bool with_laws) const;
   /// The rows of wrenches on all links, each about the link's pivot.
   [[nodiscard]] Eigen::VectorXd rows_of(const Table<LinkIndex, Wrench>& wrenches) const;
-  /// Why something is not determined.
+  /// The reason why an unknown is not determined.
   [[nodiscard]] std::string reason() const;
 
  private:

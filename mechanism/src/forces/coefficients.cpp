@@ -131,9 +131,8 @@ class CoefficientFinder {
     return held.coordinate == 2 ? balance_.size() : 1;
   }
 
-  /// The derivatives (x, y, theta) of a link's frame from those that the equations give of its
-  /// pivot. Second derivatives are those of (x, y, theta) as well: the equations are linear in
-  /// them.
+  /// The derivatives (x, y, theta) of a link's frame from those of its pivot, which the equations
+  /// give. Second derivatives are those of (x, y, theta) as well: the equations are linear in them.
   [[nodiscard]] Eigen::Vector3d of_origin(LinkIndex link, const Eigen::VectorXd& moved) const {
     Eigen::Vector3d result = Eigen::Vector3d::Zero();
     if (const Eigen::Index row = balance_.row_of(link); row >= 0) {
@@ -145,7 +144,7 @@ class CoefficientFinder {
     return result;
   }
 
-  /// The links that stand where they are and move along one driver.
+  /// The links at their present poses, moving along one driver's coordinate.
   [[nodiscard]] Links along(const KinematicCoefficients& result, Eigen::Index i,
                             Eigen::Index j = -1, double sense = 1) const {
     Links links = configuration_.links;
@@ -180,7 +179,7 @@ class CoefficientFinder {
     return (of(1) - of(-1)) / 4;
   }
 
-  /// The part of the second derivative of a coordinate that follows from those of the links.
+  /// The part of the second derivative of a coordinate that results from those of the links.
   [[nodiscard]] double follows(const CoordinatePair& pair, const KinematicCoefficients& result,
                                Eigen::Index i, Eigen::Index j) const {
     Links links = configuration_.links;

@@ -1,4 +1,4 @@
-// The first derivatives of the links' poses by the coordinates of the free drivers.
+// First derivatives of the links' poses with respect to the coordinates of the free drivers.
 #pragma once
 
 #include "balance.hpp"

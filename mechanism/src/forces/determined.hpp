@@ -1,20 +1,21 @@
-// The solution of linear equations that may be singular, and which of its parts they determine.
+// Solution of linear equations that may be singular, and the unknowns that they determine.
 #pragma once
 
 #include <Eigen/QR>
 
 namespace assur::mechanism::forces {
 
-/// M x = b. Where M lacks rank, the solution is the shortest, and an unknown that a vector of the
-/// null space of M moves is not determined: beside such a matrix, it grows without bound. Equations
-/// whose b is not finite are left out. Where no x satisfies the equations, those of such unknowns
-/// are left out, too: what follows from them depends on the matrices beside M.
+/// M x = b. If M lacks rank, the solution is the shortest, and an unknown that a vector of the null
+/// space changes is not determined: for matrices near M it grows without bound. Equations with an
+/// infinite or unknown b are left out. If no x satisfies the equations, those of such unknowns are
+/// left out, too: their results depend on the matrices near M.
 class LinearEquations {
  public:
-  /// Of what three numbers each belong to one link, which other matrices may have instead of zeros.
+  /// The rows or columns that belong in threes to links; nearby matrices may have nonzero entries
+  /// there.
   enum class OfLinks : unsigned char { rows, columns };
 
-  /// Directions that M shortens to less than this part of its largest factor count as null.
+  /// Directions that M shortens to less than this part of its largest pivot count as null.
   LinearEquations(const Eigen::MatrixXd& matrix, double threshold, OfLinks of_links);
 
   [[nodiscard]] bool determine_all() const { return movable_.size() == 0; }
@@ -23,12 +24,12 @@ class LinearEquations {
   }
   /// The solution for each column of b; NaN where an unknown is not determined.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;
-  /// One solution, also of the unknowns that are not determined, where the equations have one for
-  /// every b; otherwise the same as `solve`.
+  /// One solution, including unknowns that are not determined, if the equations have one for every
+  /// b; otherwise the same as `solve`.
   [[nodiscard]] Eigen::MatrixXd some_solution(const Eigen::MatrixXd& rhs) const;
 
-  /// The least part of a unit vector of the null space that counts as a response to it. The space
-  /// is known to within rounding divided by the threshold of rank, 1e-9.
+  /// The least component of a unit vector of the null space that counts as nonzero. The space is
+  /// known to within rounding divided by the threshold of rank, 1e-9.
   static constexpr double response = 1e-7;
 
  private:
@@ -38,7 +39,8 @@ class LinearEquations {
   /// The solution without some of the equations.
   [[nodiscard]] Eigen::VectorXd solve_without(const Equations& left_out,
                                               const Eigen::VectorXd& rhs) const;
-  /// Whether an equation has, or beside M may have, an unknown that the null space moves.
+  /// Whether an equation contains, or for matrices near M may contain, an unknown that the null
+  /// space changes.
   [[nodiscard]] bool has_movable(Eigen::Index row) const;
 
   Eigen::MatrixXd matrix_;

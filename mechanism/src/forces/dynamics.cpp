@@ -1,3 +1,4 @@
+// Mass matrix, bias and load of the equations of motion.
 #include <assur/mechanism/forces.hpp>
 #include <assur/support/rigid_motion.hpp>
 #include <limits>

@@ -1,3 +1,4 @@
+// Columns for efforts, joint forces and the ground's resultant, and their numbers.
 #include <algorithm>
 #include <assur/mechanism/force_columns.hpp>
 #include <assur/mechanism/held_pairs.hpp>
@@ -6,8 +7,7 @@ namespace assur::mechanism::forces {
 
 namespace {
 
-/// The reported joints, in the mechanism's order, with those that are left out as redundant after
-/// them.
+/// The reported joints, in the mechanism's order, followed by those that are left out as redundant.
 std::vector<std::string> told_joints(const Plan& plan) {
   std::vector<std::string> names;
   for (const JointIndex joint : plan.mechanism().joints().keys()) {
@@ -23,7 +23,7 @@ std::vector<std::string> told_joints(const Plan& plan) {
   return names;
 }
 
-/// The links of a joint, each once, as far as the plan and its redundant joints name them.
+/// The links of a joint, each once, as named by the plan and its redundant joints.
 std::vector<LinkIndex> links_at(const Plan& plan, const std::string& name) {
   std::vector<LinkIndex> links;
   const auto add = [&](FeatureIndex feature) {

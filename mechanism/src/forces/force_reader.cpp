@@ -71,7 +71,7 @@ void ForceReader::add_forces(const Eigen::VectorXd& unknowns,
     if (held.driver.exists() || held.coordinate == 2) {
       continue;
     }
-    // A vector is unknown as a whole: which of its components is would depend on the axes.
+    // A vector is unknown as a whole: the choice of an unknown component would depend on the axes.
     const double size = unknowns(static_cast<Eigen::Index>(place));
     const Vector2d force =
         std::isfinite(size) ? Vector2d(size * directions[place]) : Vector2d::Constant(size);

@@ -1,5 +1,5 @@
-// Turns the unknowns of the equilibrium into efforts, the forces of joints, and the resultant on
-// the ground; their derivatives likewise.
+// Efforts, joint forces and the ground's resultant, or their derivatives, from the unknowns of the
+// equilibrium.
 #pragma once
 
 #include <assur/mechanism/forces.hpp>
@@ -10,7 +10,7 @@
 
 namespace assur::mechanism::forces {
 
-/// Collects what the unknowns of the equilibrium say.
+/// Collects efforts, couples and forces from the unknowns of the equilibrium.
 class ForceReader {
  public:
   /// Both must outlive it.
@@ -31,12 +31,13 @@ class ForceReader {
   Forces result_;
 };
 
-/// The directions of the unknown forces, and their derivatives by the parameter that links follow.
+/// The directions of the unknown forces, and their derivatives with respect to the links'
+/// parameter.
 [[nodiscard]] std::vector<Eigen::Vector2d> directions_of(const std::vector<Reaction>& units);
 [[nodiscard]] std::vector<Eigen::Vector2d> turning_of(const std::vector<Reaction>& units);
 
-/// The resultant of all that acts on the ground: by the equilibrium of all links together, the sum
-/// of what acts on each.
+/// The resultant of all forces on the ground: by the equilibrium of all links together, the sum of
+/// the loads on each.
 [[nodiscard]] Wrench ground_resultant(const Mechanism& mechanism, const Balance& balance,
                                       const LinkLoads& loads);
 

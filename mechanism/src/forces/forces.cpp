@@ -1,3 +1,4 @@
+// Forces in a configuration, from the equilibrium of its links.
 #include <algorithm>
 #include <assur/mechanism/forces.hpp>
 #include <cmath>
@@ -12,7 +13,7 @@ bool JointForce::is_determined() const {
          std::isfinite(moment);
 }
 
-/// Pulls that are not known are unknowns behind those of joints.
+/// Unknown pulls of springs and dampers are unknowns, after those of joints.
 Forces forces_of(const Values& values, const Configuration& configuration) {
   using forces::LinearEquations;
   const forces::Balance balance(values, configuration);

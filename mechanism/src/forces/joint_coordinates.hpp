@@ -1,4 +1,4 @@
-// The coordinates of joints in one configuration, their rates, and the laws that read them.
+// Coordinates of joints in one configuration, their rates, and the laws that read them.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -8,8 +8,8 @@
 
 namespace assur::mechanism::forces {
 
-/// The pair of features whose relative place has the coordinate of a joint of two links: for a pin
-/// in a slot, the line is the first.
+/// The pair of features whose relative pose contains the coordinate of a joint of two links: for a
+/// pin in a slot, the line is the first.
 struct CoordinatePair {
   FeatureIndex first, second;
   int coordinate;  ///< 0: along the first line; 2: an angle
@@ -22,15 +22,15 @@ class JointCoordinates {
       : values_(values), configuration_(configuration) {}
 
   [[nodiscard]] CoordinatePair pair_of(JointIndex joint) const;
-  /// The features of a joint, wherever this joint is in the mechanism.
+  /// The same by the joint's two features, also for a joint that the plan leaves out.
   [[nodiscard]] CoordinatePair pair_of(const std::array<FeatureIndex, 2>& between) const;
-  /// The second feature as the first one sees it.
+  /// The second feature in the frame of the first.
   [[nodiscard]] Frame relative(const CoordinatePair& pair) const;
-  /// The coordinate; with the whole turns that a law or a branch gives it.
+  /// The coordinate, including whole turns given by a law or a branch.
   [[nodiscard]] double value(JointIndex joint) const;
   /// A number whose formula may read joints.
   [[nodiscard]] double number(NumberIndex number) const;
-  /// The law of a driver, with derivatives by the coordinates that `joints_of` lists.
+  /// The law of a driver, with derivatives with respect to the coordinates in `joints_of`.
   [[nodiscard]] Dual law(DriverIndex driver) const;
   [[nodiscard]] std::vector<JointIndex> joints_of(DriverIndex driver) const;
 

@@ -56,7 +56,7 @@ class LoadCollector {
       const MovingNumber kilograms = links_.size(mass.mass);
       const MovingNumber inertia = links_.size(mass.inertia);
       add(&LinkLoads::applied, link, at, kilograms * gravity, {});
-      if (kilograms.matters()) {  // what has no mass has no inertia, though its rates be unknown
+      if (kilograms.matters()) {  // without mass there is no inertia, even if the rates are unknown
         add(&LinkLoads::inertia, link, at,
             -kilograms * MovingPlace{at.x.its_second_rate(), at.y.its_second_rate()}, {});
       }
@@ -87,8 +87,8 @@ class LoadCollector {
     const MovingNumber stiffness = links_.size(spring.stiffness);
     const MovingNumber damping = links_.size(spring.damping);
     const MovingNumber rest = links_.size(spring.rest);
-    // Where the ends coincide to within the rounding of places, the spring has no direction; with
-    // the length 0, and at rest, it needs none.
+    // If the ends coincide to within the rounding of places, the spring has no direction; with zero
+    // length, and at rest, it needs none.
     constexpr double rounding_of_places = 1e-13;
     const bool has_direction = apart.value().norm() > rounding_of_places * balance_.size();
     const bool is_stretched = stiffness.matters() && rest.matters();
@@ -140,8 +140,8 @@ class LoadCollector {
     add(&LinkLoads::applied, unit.from, unit.at, -effort * unit.force, -effort * unit.couple);
   }
 
-  /// An angle jumps by a whole turn at half a turn. Where no law and no branch counts the turns,
-  /// the deflection is within half a turn.
+  /// An angle jumps by a whole turn at half a turn. If no law and no branch counts the turns, the
+  /// deflection is within half a turn.
   [[nodiscard]] MovingNumber deflection(const Spring& spring, const CoordinatePair& pair,
                                         const MovingNumber& relative) const {
     const MovingNumber away = relative - links_.number(spring.rest);
@@ -155,7 +155,7 @@ class LoadCollector {
         return links_.coordinate(index) - links_.number(spring.rest);
       }
     }
-    // At half a turn rounding would choose between the two senses; it counts as positive.
+    // At half a turn rounding would decide the sense; it counts as positive.
     constexpr double rounding_of_angles = 1e-9;
     const double turn = 2 * std::numbers::pi;
     const double within = std::remainder(away.value(), turn);

@@ -1,4 +1,4 @@
-// Turns masses, gravity, loads, springs and dampers into wrenches on the links.
+// Wrenches on the links due to masses, gravity, loads, springs and dampers.
 #pragma once
 
 #include <assur/mechanism/forces.hpp>
@@ -12,12 +12,12 @@ namespace assur::mechanism::forces {
 struct LinkLoads {
   Table<LinkIndex, Wrench> applied;  ///< of gravity, loads, springs and dampers
   Table<LinkIndex, Wrench> inertia;  ///< -m a and -I alpha, at the centre of mass
-  /// Units of the pulls that are not known, which `applied` lacks: two of each spring.
+  /// Units of the unknown pulls, which `applied` lacks: two for each such spring.
   std::vector<Reaction> unknown_pulls;
-  std::string reason;  ///< why they are not known
+  std::string reason;  ///< why they are unknown
 };
 
-/// The same wrenches, and their derivatives by the parameter that the links follow.
+/// The same wrenches, and their derivatives with respect to the links' parameter.
 struct MovingLoads {
   LinkLoads values, derivatives;
 };
@@ -27,13 +27,13 @@ struct MassCentre {
   LinkIndex link;
   double mass = 0, inertia = 0;
   Eigen::Vector2d arm;           ///< from the origin of the link's frame
-  Eigen::Vector2d acceleration;  ///< with that of parameters that move it on its link
+  Eigen::Vector2d acceleration;  ///< including that of parameters that move it on its link
 };
 
 [[nodiscard]] std::vector<MassCentre> mass_centres(const Values& values,
                                                    const Configuration& configuration);
 
-/// A damper at a joint whose rate is not known is NaN.
+/// A damper at a joint with an unknown rate is NaN.
 [[nodiscard]] MovingLoads moving_loads(const Mechanism& mechanism, const MovingLinks& links,
                                        const Balance& balance);
 [[nodiscard]] LinkLoads link_loads(const Values& values, const Configuration& configuration,

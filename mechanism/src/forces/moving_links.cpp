@@ -113,7 +113,7 @@ MovingNumber MovingLinks::law(DriverIndex index) const {
   return result;
 }
 
-/// Time stands for the coordinate here: all else is at rest.
+/// The variable t is the coordinate here; all other numbers are constant.
 MovingNumber MovingLinks::law_slope(DriverIndex driver, JointIndex by) const {
   const MovingNumber law =
       mechanism_.numbers()[mechanism_.drivers()[driver].position].formula.evaluate<MovingNumber>(

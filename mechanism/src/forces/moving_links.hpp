@@ -1,4 +1,4 @@
-// The links of a configuration as they move in time and, where this is asked, follow a parameter.
+// Links of a configuration as functions of time and, optionally, of one parameter.
 #pragma once
 
 #include <assur/mechanism/loads.hpp>
@@ -13,7 +13,7 @@ namespace assur::mechanism::forces {
 
 using MovingPose = Pose<MovingNumber>;
 
-/// A place, or a vector, in the directions of the ground.
+/// A place, or a vector, in the axes of the ground.
 struct MovingPlace {
   MovingNumber x, y;
 
@@ -31,7 +31,7 @@ struct MovingPlace {
   return {factor * a.x, factor * a.y};
 }
 
-/// A force and a couple on a link, at a place, and the opposite ones on another link there.
+/// A force and a couple on a link, at a place, and their opposites on another link there.
 struct Reaction {
   LinkIndex on, from;
   MovingPlace at, force;
@@ -45,9 +45,9 @@ class MovingLinks {
 
   [[nodiscard]] const MovingPose& pose(LinkIndex link) const { return poses_[link]; }
   [[nodiscard]] const JointCoordinates& coordinates() const { return coordinates_; }
-  /// A link turned and moved from where it stands in the configuration.
+  /// A link rotated and displaced from its pose in the configuration.
   void displace(LinkIndex link, const MovingPlace& by, const MovingNumber& turn);
-  /// Lets the parameters' formulas follow one of them.
+  /// Makes the parameters' formulas depend on one of them.
   void vary(ParameterIndex parameter);
 
   /// A number without joints in its formula; zero if it does not exist.
@@ -58,12 +58,12 @@ class MovingLinks {
   [[nodiscard]] MovingNumber reading(NumberIndex number) const;
   /// The derivative of a driver's law by the coordinate of a joint, at rest.
   [[nodiscard]] MovingNumber law_slope(DriverIndex driver, JointIndex by) const;
-  /// The law of a driver, with the rates that it is given.
+  /// The law of a driver, with its given rates.
   [[nodiscard]] MovingNumber law(DriverIndex driver) const;
 
-  /// A vector in the frame of a link, turned into the directions of the ground.
+  /// A vector in the frame of a link, rotated into the axes of the ground.
   [[nodiscard]] MovingPlace turned_with(LinkIndex link, const MovingPlace& vector) const;
-  /// A place on a link, from the origin of the link's frame, and from that of the ground's.
+  /// A place on a link, from the origin of the link's frame, and from that of the ground.
   [[nodiscard]] MovingPlace arm(const PlaceOnLink& on) const;
   [[nodiscard]] MovingPlace place(const PlaceOnLink& on) const;
   [[nodiscard]] MovingPlace place(FeatureIndex point) const;
@@ -76,7 +76,7 @@ class MovingLinks {
   /// A unit along such a coordinate, on the link of the second feature: an angle in radians, or a
   /// length.
   [[nodiscard]] Reaction along(FeatureIndex first, FeatureIndex second, int coordinate) const;
-  /// The coordinate of a joint; with the whole turns that a law or a branch gives it.
+  /// The coordinate of a joint, including whole turns given by a law or a branch.
   [[nodiscard]] MovingNumber coordinate(JointIndex joint) const;
 
  private:

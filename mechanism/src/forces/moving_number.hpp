@@ -1,4 +1,4 @@
-// Arithmetic on numbers that move in time and follow one parameter.
+// Arithmetic on numbers that depend on time and on one parameter.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 namespace assur::mechanism::forces {
 
 /// A number x(t, a) about t = 0 and the value of a parameter a: its Taylor coefficients up to t^2,
-/// and the derivative of each of them by a.
+/// and the derivative of each of them with respect to a.
 class MovingNumber {
  public:
   MovingNumber() = default;
@@ -23,14 +23,14 @@ class MovingNumber {
   [[nodiscard]] double value() const { return at_[0]; }
   [[nodiscard]] double rate() const { return at_[1]; }
   [[nodiscard]] double second_rate() const { return 2 * at_[2]; }
-  /// The derivative of the value by the parameter.
+  /// The derivative of the value with respect to the parameter.
   [[nodiscard]] double derivative() const { return by_[0]; }
   [[nodiscard]] const Coefficients& at() const { return at_; }
   [[nodiscard]] const Coefficients& by() const { return by_; }
 
   /// Whether the value, or its derivative, is not zero.
   [[nodiscard]] bool matters() const { return at_[0] != 0 || by_[0] != 0; }
-  /// The value with its derivative by the parameter, at rest.
+  /// The value with its derivative with respect to the parameter, at rest.
   [[nodiscard]] MovingNumber at_rest() const { return {{at_[0], 0, 0}, {by_[0], 0, 0}}; }
   /// The number with another rate, or another second rate, each with its derivative.
   [[nodiscard]] MovingNumber with_rate(const MovingNumber& rate) const {
@@ -46,15 +46,15 @@ class MovingNumber {
     return {{2 * at_[2], 0, 0}, {2 * by_[2], 0, 0}};
   }
 
-  /// What the number adds to its value as t and a vary.
+  /// The variation of the number with t and a: the number minus its value.
   [[nodiscard]] MovingNumber variation() const { return {{0, at_[1], at_[2]}, by_}; }
 
   /// The same number with another value.
   [[nodiscard]] MovingNumber valued(double value) const { return {{value, at_[1], at_[2]}, by_}; }
 
-  /// A function of the number, by its value and its first three derivatives there: no product of
-  /// more than three variations is left. A derivative that does not exist matters only where the
-  /// number varies.
+  /// A function of the number, by its value and its first three derivatives there: all products of
+  /// more than three variations vanish. A derivative that does not exist matters only if the number
+  /// varies.
   [[nodiscard]] MovingNumber through(double f, double first, double second, double third) const {
     MovingNumber result(f);
     const MovingNumber once = variation();
@@ -136,13 +136,13 @@ inline MovingNumber atan(const MovingNumber& a) {
   return a.through(std::atan(x), slope, -2 * x * slope * slope,
                    (6 * x * x - 2) * slope * slope * slope);
 }
-/// The angle of (x, y): that of its value, and by how much (x, y) turns from there.
+/// The angle of (x, y): that of its value, plus the turn of (x, y) from there.
 inline MovingNumber atan2(const MovingNumber& y, const MovingNumber& x) {
   const MovingNumber across = x.value() * y - y.value() * x;
   const MovingNumber along = x.value() * x + y.value() * y;
   return atan(across / along).valued(std::atan2(y.value(), x.value()));
 }
-/// At a corner, the sides are those of `Dual`.
+/// At a corner the derivatives are those of `Dual`.
 inline MovingNumber abs(const MovingNumber& a) { return a.value() < 0 ? -a : a; }
 inline MovingNumber min(const MovingNumber& a, const MovingNumber& b) {
   return b.value() < a.value() ? b : a;
@@ -158,7 +158,7 @@ inline MovingNumber pow(const MovingNumber& a, double n) {
   return a.through(std::pow(x, n), derivative(n, 1), derivative(n * (n - 1), 2),
                    derivative(n * (n - 1) * (n - 2), 3));
 }
-/// A power whose exponent varies has derivatives for a positive base alone.
+/// A power with a variable exponent has derivatives for a positive base alone.
 inline MovingNumber pow(const MovingNumber& a, const MovingNumber& b) {
   const auto is_zero = [](const MovingNumber::Coefficients& c) {
     return c == MovingNumber::Coefficients{};

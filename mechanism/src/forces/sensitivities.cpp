@@ -1,6 +1,6 @@
-// The derivatives of efforts and forces by the parameters. With the equilibrium A x + w = 0 they
-// are A x_a = -(w_a + A_a x), where links and their rates follow the parameter a so that the held
-// coordinates keep their values and their rates.
+// Derivatives of efforts and forces with respect to the parameters. With the equilibrium A x + w =
+// 0 they are A x_a = -(w_a + A_a x), where links and their rates depend on the parameter a so that
+// the held coordinates keep their values and their rates.
 #include <algorithm>
 #include <assur/mechanism/forces.hpp>
 #include <cmath>
@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// The largest number that is known.
+/// The largest of the known numbers.
 double largest(const Eigen::VectorXd& numbers) {
   double most = 0;
   for (const double number : numbers) {
@@ -26,7 +26,7 @@ double largest(const Eigen::VectorXd& numbers) {
   return most;
 }
 
-/// Lets the links of one configuration follow one parameter after the other.
+/// Makes the links of one configuration depend on one parameter after the other.
 class Following {
  public:
   Following(const Values& values, const Configuration& configuration, const Balance& balance)
@@ -41,8 +41,7 @@ class Following {
     }
   }
 
-  /// The links, which have no derivatives where a change of the parameter violates a redundant
-  /// constraint.
+  /// The links, without derivatives if a change of the parameter violates a redundant constraint.
   [[nodiscard]] MovingLinks along(ParameterIndex parameter) const {
     MovingLinks links(values_, configuration_);
     links.vary(parameter);
@@ -53,8 +52,9 @@ class Following {
       }
     };
     displace();
-    // Each pass with the derivatives of the held coordinates at the place where the links stand
-    // settles the variations of one order more, of three; a law follows what it reads a pass later.
+    // Each pass, with the derivatives of the held coordinates at the present poses, corrects the
+    // variations of one further order, of three; a law follows the joints that it reads one pass
+    // later.
     const Eigen::MatrixXd before = gaps(links);
     Eigen::MatrixXd gap = before;
     for (int pass = 0; pass < 3 * (1 + readers_); ++pass) {
@@ -75,12 +75,12 @@ class Following {
   }
 
  private:
-  /// How far a link's origin moves, and how far the link turns.
+  /// The displacement of a link's origin, and the turn of the link.
   struct Displacement {
     MovingNumber x, y, turn;
   };
 
-  /// By how much each held coordinate leaves its law as links vary, in the order a, t, t^2, t a,
+  /// The deviation of each held coordinate from its law as links vary, in the order a, t, t^2, t a,
   /// t^2 a.
   [[nodiscard]] Eigen::MatrixXd gaps(const MovingLinks& links) const {
     Eigen::MatrixXd result(std::ssize(balance_.held()), 5);
@@ -123,7 +123,7 @@ class Following {
   int readers_ = 0;  ///< drivers whose laws read joints
 };
 
-/// The derivatives of all numbers but those of the ground's resultant, where none is known.
+/// The derivatives of all numbers except those of the ground's resultant, all unknown.
 Forces unknown_derivatives(const Mechanism& mechanism, const Balance& balance,
                            const Wrench& ground) {
   const VectorXd unknown = VectorXd::Constant(std::ssize(balance.held()), none);
@@ -135,7 +135,7 @@ Forces unknown_derivatives(const Mechanism& mechanism, const Balance& balance,
   return result;
 }
 
-/// The rows of loads, NaN for the links on which pulls act that are not known.
+/// The rows of loads, NaN for links on which unknown pulls act.
 VectorXd known_rows(const Balance& balance, const LinkLoads& loads) {
   VectorXd rows = balance.rows_of(loads.applied) + balance.rows_of(loads.inertia);
   for (const Reaction& pull : loads.unknown_pulls) {
@@ -164,12 +164,12 @@ std::vector<double*> numbers_of(Forces& forces) {
   return numbers;
 }
 
-/// Forces with each number that of `of`, a function of all deviations by tolerances. A derivative
-/// may be unknown where there is no tolerance.
+/// Forces with each number equal to that of `of`, a function of all deviations due to tolerances. A
+/// derivative may be unknown if its tolerance is zero.
 template <typename Function>
 Forces of_deviations(std::vector<Forces> sensitivities, const Spread& spread, const Function& of) {
   if (std::ssize(sensitivities) != spread.tolerances.size() || sensitivities.empty()) {
-    throw MechanismError("", "there is not one derivative of the forces by each parameter");
+    throw MechanismError("", "expected one derivative of the forces for each parameter");
   }
   std::vector<std::vector<double*>> numbers;
   for (Forces& forces : sensitivities) {

@@ -10,12 +10,12 @@ namespace {
 
 /// A turn has a step for each degree, as other programs show it.
 constexpr int steps_of_turn = 360;
-/// Where drives of several speeds come back together only after some turns, each turn of the
-/// fastest keeps a step for every six degrees, so that its path still looks like a curve,
+/// If drives of several speeds have a longer common period, each turn of the fastest keeps a step
+/// for every six degrees, so that its path still looks like a curve,
 constexpr int fewest_steps_of_turn = 60;
-/// as long as there are not more than these: a sweep of a large mechanism should take seconds.
+/// within this limit: a sweep of a large mechanism should take seconds.
 constexpr int most_steps = 3600;
-/// Speeds whose ratio is beyond this have no common period that anybody would wait for.
+/// Speeds with a larger ratio have no common period of practical length.
 constexpr double most_turns = 10000;
 
 /// The greatest common divisor of speeds that are whole numbers; otherwise the smallest speed.

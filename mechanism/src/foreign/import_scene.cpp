@@ -1,4 +1,4 @@
-// Tells by its text which program wrote a file, and turns it into a scene.
+// Import of a text as a scene, with recognition of the program that wrote it.
 #include <assur/mechanism/imported_scene.hpp>
 #include <assur/text/quoted.hpp>
 #include <assur/text/utf8.hpp>
@@ -10,8 +10,7 @@ namespace assur::mechanism::foreign {
 
 namespace {
 
-/// The offset of the first character that is neither white space nor of a comment of Pyslvs, nor a
-/// mark of the order of bytes.
+/// The offset of the first character after white space, comments of Pyslvs and a byte order mark.
 std::size_t first_word(const std::string& text) {
   std::size_t at = text.starts_with("\xEF\xBB\xBF") ? 3 : 0;
   while (at < text.size()) {

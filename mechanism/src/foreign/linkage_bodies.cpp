@@ -9,7 +9,7 @@ namespace assur::mechanism::foreign {
 
 namespace {
 
-/// Finds which parts of a file move as one, and in which slots they slide.
+/// Finds the parts of a file that move as one body, and their slots.
 class BodyBuilder {
  public:
   explicit BodyBuilder(const std::string& text)
@@ -27,7 +27,7 @@ class BodyBuilder {
   BodyBuilder& operator=(const BodyBuilder&) = delete;
 
   LinkageBodies build() {
-    // The program keeps places in this unit, whichever unit it shows.
+    // The program stores places in this unit, whichever unit it shows.
     mechanism_.unit = "1/96 in";
     mechanism_.remark("lengths are those of the file, in 1/96 inch: the program shows " +
                       std::string(file_.unit == "in" ? "0.010417 in" : "0.264583 mm") +
@@ -48,8 +48,8 @@ class BodyBuilder {
  private:
   [[nodiscard]] const LinkageConnector* connector(int id) const { return result_.connector(id); }
   [[nodiscard]] ForeignPointIndex point(int id) const { return result_.point(id); }
-  /// Leaves out what the program itself leaves out: connectors that are not there, and links of one
-  /// connector that another link has, too, unless they are gears.
+  /// Leaves out what the program itself ignores: missing connectors, and links whose only connector
+  /// belongs to another link, too, unless they are gears.
   void check_links() {
     std::map<int, int> links_of_connector;
     for (LinkageLink& link : file_.links) {
@@ -116,8 +116,8 @@ class BodyBuilder {
     return found;
   }
 
-  /// The body to which something is fastened that is fastened to a connector; the first where
-  /// several hold it, which a remark tells.
+  /// The body to which an element is fastened by a connector; the first if several hold it, with a
+  /// remark.
   std::optional<std::size_t> body_at(int id, const std::string& what,
                                      std::optional<std::size_t> except = {}) {
     const LinkageConnector* const at = connector(id);
@@ -207,7 +207,7 @@ class BodyBuilder {
     }
   }
 
-  /// The link of a body; a new one where its root has none yet.
+  /// The link of a body; a new one if its root has none yet.
   ForeignLinkIndex link_of_body(std::size_t body, const std::string& id, const std::string& name) {
     if (root(body) == 0) {
       return mechanism_.ground();
@@ -277,7 +277,7 @@ class BodyBuilder {
     }
   }
 
-  /// A link that has both ends of a slot, the ground last.
+  /// A link that has both ends of a slot; the ground is the last choice.
   [[nodiscard]] ForeignLinkIndex link_that_lists(const std::array<ForeignPointIndex, 2>& ends,
                                                  ForeignPointIndex pin) const {
     ForeignLinkIndex found;
@@ -319,7 +319,7 @@ class BodyBuilder {
     mechanism_.joints.add(joint);
   }
 
-  /// A pin in a slot along an arc is held by a link from the centre of the arc.
+  /// A pin in a slot along an arc is replaced by a link from the centre of the arc.
   void add_arc(const LinkageConnector& slider, const std::array<ForeignPointIndex, 2>& ends,
                ForeignLinkIndex slotted) {
     const ForeignPoint from = mechanism_.points[ends[0]];
@@ -329,7 +329,8 @@ class BodyBuilder {
     const double height =
         std::copysign(std::sqrt(radius * radius - half * half), slider.slide_radius);
     const std::string id = "C" + std::to_string(slider.id) + "_arc";
-    // To the left of the way from the first end to the second if the radius is positive.
+    // The centre is to the left of the chord from the first end to the second if the radius is
+    // positive.
     const ForeignPointIndex center =
         mechanism_.points.add({id, "", (from.x + to.x) / 2 - height * (to.y - from.y) / (2 * half),
                                (from.y + to.y) / 2 + height * (to.x - from.x) / (2 * half)});

@@ -1,4 +1,4 @@
-// The rigid bodies of a file of the program Linkage, and the slots in which they slide.
+// Rigid bodies of a file of the program Linkage, and the slots in which they slide.
 #pragma once
 
 #include <array>
@@ -11,21 +11,20 @@
 
 namespace assur::mechanism::foreign {
 
-/// A mechanism without drives, and the file that it was made of, without what the program itself
-/// leaves out.
+/// A mechanism without drives, and its file without the elements that the program itself ignores.
 struct LinkageBodies {
   ForeignMechanism mechanism;
   LinkageFile file;
   /// The link of each Link of the file; for an actuator those of its two connectors.
   std::vector<std::array<ForeignLinkIndex, 2>> links;
-  std::map<int, std::size_t> connector_of_id, link_of_id;  ///< their places in the file
+  std::map<int, std::size_t> connector_of_id, link_of_id;  ///< their indices in the file
 
-  /// Nothing where the file has no connector of that number.
+  /// Null if the file has no connector of that number.
   [[nodiscard]] const LinkageConnector* connector(int id) const;
   [[nodiscard]] ForeignPointIndex point(int id) const;
 };
 
-/// Throws MechanismError for a text that is no file of Linkage.
+/// Throws MechanismError for a text that is not a file of Linkage.
 [[nodiscard]] LinkageBodies linkage_bodies(const std::string& text);
 
 }  // namespace assur::mechanism::foreign

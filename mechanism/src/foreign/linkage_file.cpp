@@ -17,14 +17,14 @@ namespace {
 
 using boost::property_tree::ptree;
 
-/// Files of the program have three levels; deeper nesting is made to exhaust the stack.
+/// Files of the program have three levels; deeper nesting would serve only to exhaust the stack.
 constexpr int deepest = 32;
-/// Links of scenes are fewer by far, and each has a handful of connectors.
+/// A bound far above real files, whose links have a handful of connectors each.
 constexpr std::size_t most_connectors = 20000;
-/// The bits of layers whose elements move; those below are of drawings and measurements.
+/// The bits of layers whose elements move; lower bits are drawings and measurements.
 constexpr unsigned moving_layers = 0xFFFFFFF0U;
 
-/// Attributes that say how the program shows an element, and what the remark calls them.
+/// Attributes of the display of an element, and their names in the remark.
 const std::map<std::string, std::string> looks = {
     {"color", "colours"},
     {"usercolor", "colours"},
@@ -46,8 +46,8 @@ const std::map<std::string, std::string> looks = {
     {"ygrid", "the grid"},
 };
 
-/// Throws MechanismError where elements are nested deeper than any such file does it: the parser
-/// calls itself for each.
+/// Throws MechanismError for deeper nesting than any such file has: the parser calls itself for
+/// each level.
 void expect_shallow(const std::string& text) {
   int depth = 0;
   const auto behind = [&](const char* end, std::size_t at) {
@@ -87,7 +87,7 @@ void expect_shallow(const std::string& text) {
   }
 }
 
-/// The attributes of one element, of which each is read once.
+/// The attributes of one element, each read once.
 class Attributes {
  public:
   Attributes(const ptree& element, std::string part) : part_(std::move(part)) {
@@ -109,7 +109,7 @@ class Attributes {
     return value;
   }
   bool truth(const std::string& name) { return text(name) == "true"; }
-  /// A number; `absent` where there is none.
+  /// A number; `absent` if there is none.
   double number(const std::string& name, std::optional<double> absent = 0) {
     const std::string value = text(name);
     if (value.empty() && absent) {
@@ -139,12 +139,12 @@ class Attributes {
     }
     return number;
   }
-  /// Whether the element moves, and is not one of a drawing or of measurements.
+  /// Whether the element moves, and is not part of a drawing or a measurement.
   bool moves() {
     const std::optional<int> layer = identifier("layer");
     return !layer || *layer == 0 || (static_cast<unsigned>(*layer) & moving_layers) != 0;
   }
-  /// Forgets how the element looks, and gives the names of all that is left.
+  /// Notes the display attributes as omitted, and returns the names of all remaining ones.
   std::vector<std::string> rest(ForeignMechanism& mechanism) {
     std::vector<std::string> unknown;
     for (const auto& [name, value] : values_) {
@@ -313,7 +313,7 @@ class ElementReader {
       Attributes attributes(child, "ratio");
       LinkageRatio ratio;
       ratio.is_chain = attributes.text("type") != "gears";
-      (void)attributes.text("sizeassize");  // the ratio is that of the sizes either way
+      (void)attributes.text("sizeassize");  // the ratio is that of the sizes in either case
       for (const auto& [part, wheel] : child) {
         if (part == "link") {
           Attributes link(wheel, "ratio.link");

@@ -1,5 +1,4 @@
-// Turns the text of a `.linkage2` file, XML of the program Linkage, into its connectors, links and
-// ratios.
+// Reads the connectors, links and ratios of a `.linkage2` file, XML of the program Linkage.
 #pragma once
 
 #include <optional>
@@ -15,14 +14,14 @@ struct LinkageConnector {
   int id = 0;
   std::string name;
   double x = 0, y = 0;
-  bool moves = true;       ///< not of a drawing or of measurements
+  bool moves = true;       ///< not part of a drawing or a measurement
   bool is_anchor = false;  ///< on the ground, as inputs are
   bool is_input = false, is_drawing = false, is_moved_by_hand = false;
   double turns_per_minute = 0;               ///< clockwise
   double limit_angle = 0, start_offset = 0;  ///< degrees; with a limit the input oscillates
   double slide_radius = 0;
   std::vector<int> slide_limits;       ///< none, or two connectors between which this one slides
-  std::optional<int> link, connector;  ///< what it is fastened to
+  std::optional<int> link, connector;  ///< the link or connector to which it is fastened
 };
 
 /// A rigid body, an actuator or a gear.
@@ -32,7 +31,7 @@ struct LinkageLink {
   std::vector<int> connectors, fastened;
   bool is_actuator = false, is_gear = false, is_moved_by_hand = false;
   double stroke = 0, cycles_per_minute = 0, start_offset = 0;
-  std::optional<int> link, connector;  ///< what it is fastened to
+  std::optional<int> link, connector;  ///< the link or connector to which it is fastened
 };
 
 /// A pair of gears, or of wheels with a chain.
@@ -42,15 +41,15 @@ struct LinkageRatio {
   std::vector<double> sizes;
 };
 
-/// The links of a file that are no measurements and not of the drawing layer, and all connectors.
+/// The links of a file without measurements and the drawing layer, and all connectors.
 struct LinkageFile {
-  std::string unit;  ///< in which the program shows lengths: `mm`
+  std::string unit;  ///< the unit in which the program shows lengths: `mm`
   std::vector<LinkageConnector> connectors;
   std::vector<LinkageLink> links;
   std::vector<LinkageRatio> ratios;
 };
 
-/// Adds remarks on what the file holds besides to `mechanism`. Throws MechanismError for a text
+/// Adds remarks on all other contents of the file to `mechanism`. Throws MechanismError for a text
 /// that is not such a file.
 [[nodiscard]] LinkageFile read_linkage(const std::string& text, ForeignMechanism& mechanism);
 

@@ -1,4 +1,4 @@
-// Files of Linkage: rigid bodies, slots, inputs, actuators and gears.
+// Mechanisms from files of Linkage: rigid bodies, slots, inputs, actuators and gears.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,14 +14,14 @@ namespace {
 constexpr double seconds_per_minute = 60;
 constexpr double degrees_per_turn = 360;
 
-/// How far something is at `way` that goes to and fro between 0 and `limit`, from 0 outward.
+/// The position on a path `way` that is folded between 0 and `limit`, from 0 outward.
 double to_and_fro(double way, double limit) {
   const double rest = std::fmod(std::abs(way), 2 * limit);
   return rest > limit ? 2 * limit - rest : rest;
 }
 
-/// The same as a formula, less its value at the start, for ways of up to `farthest` in either
-/// direction: `way` is folded at twice, four times the limit and so on, and at last at the limit.
+/// The same as a formula, less its value at the start, for paths of up to `farthest` in either
+/// direction: `way` is folded at twice, four times the limit and so on, and finally at the limit.
 std::string to_and_fro_text(const std::string& way, double limit, double start, double farthest) {
   double fold = limit;
   while (2 * fold < farthest + start) {
@@ -36,7 +36,7 @@ std::string to_and_fro_text(const std::string& way, double limit, double start, 
   const double first = to_and_fro(start, limit);
   return first == 0 ? formula : formula + term_text(-first);
 }
-/// Adds what drives the bodies of a file.
+/// Adds the drives of a file's bodies.
 class DriveBuilder {
  public:
   explicit DriveBuilder(const std::string& text)
@@ -61,7 +61,7 @@ class DriveBuilder {
   }
 
  private:
-  /// How often the drives that move in time come back in a minute.
+  /// The cycles a minute of the drives that move in time.
   void collect_speeds() {
     for (const LinkageConnector& input : file_.connectors) {
       const double turns = std::abs(input.turns_per_minute);
@@ -97,7 +97,7 @@ class DriveBuilder {
     }
   }
 
-  /// Positive speeds are clockwise, and so is the way on which an oscillating input begins.
+  /// Positive speeds are clockwise, and so is the initial direction of an oscillating input.
   std::string turning(const LinkageConnector& input) {
     const std::string what = "connector " + std::to_string(input.id);
     const double speed = input.turns_per_minute;
@@ -128,7 +128,8 @@ class DriveBuilder {
     period_.add_hand(parameter, from, to);
   }
 
-  /// An actuator goes to and fro at one speed, first inward where its number of cycles is negative.
+  /// An actuator moves back and forth at one speed, inward first if its number of cycles is
+  /// negative.
   void add_actuators() {
     for (std::size_t place = 0; place < file_.links.size(); ++place) {
       const LinkageLink& link = file_.links[place];
@@ -173,8 +174,8 @@ class DriveBuilder {
            ")";
   }
 
-  /// Gears turn against one another, wheels with a chain the same way, both relative to what
-  /// carries them. The one whose joint is driven already leads; otherwise the first.
+  /// Gears turn in opposite senses, wheels with a chain in the same sense, both relative to the
+  /// link that carries them. The one with a driven joint leads; otherwise the first.
   void add_ratios() {
     std::vector<const LinkageRatio*> waiting;
     for (const LinkageRatio& ratio : file_.ratios) {
@@ -194,7 +195,7 @@ class DriveBuilder {
     }
   }
 
-  /// The joints of both wheels on what carries them, if there is such a thing.
+  /// The joints of both wheels on the link that carries them, if there is one.
   [[nodiscard]] std::optional<std::array<ForeignJoint, 2>> wheels(const LinkageRatio& ratio) const {
     if (ratio.links.size() != 2 || !bodies_.link_of_id.contains(ratio.links[0]) ||
         !bodies_.link_of_id.contains(ratio.links[1])) {
@@ -256,7 +257,7 @@ class DriveBuilder {
       mechanism_.miss(what + ": both are driven already");
       return;
     }
-    // A joint that is there already may count from the wheel to what carries it.
+    // An existing joint may count from the wheel to the link that carries it.
     bool is_opposite = !ratio.is_chain;
     const auto pin = [&](std::size_t wheel) {
       const ForeignJoint& joint = (*joints)[wheel];

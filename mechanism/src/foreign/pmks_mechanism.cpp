@@ -1,4 +1,4 @@
-// Links that PMKS+ shares, with masses and forces.
+// Mechanisms from links that PMKS+ shares, with masses and forces.
 #include <algorithm>
 #include <assur/text/quoted.hpp>
 #include <cmath>
@@ -12,15 +12,15 @@ namespace assur::mechanism::foreign {
 
 namespace {
 
-/// The pmks_units of the program for one unit of length, as factors that make forces newtons, or
-/// pounds of force where lengths are inches. Masses are pounds, grams and kilograms, inertias lb
-/// in^2, kg cm^2 and kg m^2.
+/// The program's units for one unit of length, as factors that make forces newtons, or pounds of
+/// force for lengths in inches. Masses are pounds, grams and kilograms, inertias lb in^2, kg cm^2
+/// and kg m^2.
 struct Units {
   const char* length;
   const char* mass_factor;
   const char* inertia_factor;
   const char* gravity;
-  const char* told;  ///< how the remark tells of the factors
+  const char* told;  ///< the factors in the remark
 };
 constexpr std::array pmks_units = {
     Units{"in", "*0.0254/9.80665", "*0.0254/9.80665", "-9.81/0.0254",
@@ -28,7 +28,7 @@ constexpr std::array pmks_units = {
     Units{"cm", "/100000", "/100", "-981", "100 kg, so that forces are newtons, and couples N cm"},
     Units{"m", "", "", "-9.81", ""}};
 
-/// Makes the mechanism of a payload.
+/// Builds the mechanism of a payload.
 class PmksBuilder {
  public:
   explicit PmksBuilder(const std::string& text) : payload_(read_pmks(text, mechanism_)) {}
@@ -95,8 +95,8 @@ class PmksBuilder {
     is_folded_.resize(payload_.joints.size());
   }
 
-  /// Older links have a slider as a joint of its own, which a block joins to a pin at the same
-  /// place: the pin gets what the slider says, and the slider goes.
+  /// Older links store a slider as a separate joint, which a block joins to a pin at the same
+  /// place: the pin takes over the slider's data, and the slider is removed.
   void fold_blocks() {
     for (const PmksLink& block : payload_.links) {
       if (!block.is_block || block.joints.size() != 2) {
@@ -143,7 +143,7 @@ class PmksBuilder {
         mechanism_.list(body, ForeignPointIndex(joint_of_id_.at(id)));
       }
     }
-    // What is fixed in a part is fixed in the whole.
+    // A point that is fixed in a part is fixed in the whole.
     for (const PmksLink& link : payload_.links) {
       for (const std::string& part : link.parts) {
         if (const auto whole = body_of_id_.find(link.id); whole != body_of_id_.end()) {
@@ -189,7 +189,7 @@ class PmksBuilder {
     mechanism_.drives.push_back({mechanism_.pin(pinned[0], pinned[1], point), turning(joint)});
   }
 
-  /// Speeds of joints count counter-clockwise; that of the file has its sense beside it.
+  /// Speeds of joints count counter-clockwise; the file stores the sense separately.
   std::string turning(const PmksJoint& joint) {
     const double speed =
         joint.speed != 0 ? joint.speed
@@ -260,7 +260,7 @@ class PmksBuilder {
     return term_text(speed) + "*t";
   }
 
-  /// A slide is swept so far that it goes half as far as the drawing is wide, to either side.
+  /// A slide is swept over half the width of the drawing, to either side.
   [[nodiscard]] ForeignSweep slide_sweep() const {
     double size = 0;
     for (const ForeignPointIndex point : mechanism_.points.keys()) {
@@ -271,7 +271,7 @@ class PmksBuilder {
     return {"t", -half, half, steps + 1};
   }
 
-  /// The masses of links, with those of the blocks that slide with them.
+  /// The masses of links, including the blocks that slide with them.
   void add_masses() {
     for (const PmksLink& link : payload_.links) {
       if (link.is_root && !link.is_block && (link.mass != 0 || link.inertia != 0)) {
@@ -301,7 +301,7 @@ class PmksBuilder {
 
   void add_mass(const ForeignMass& added) {
     if (added.link == mechanism_.ground() || !added.link.exists()) {
-      return;  // what does not move needs none
+      return;  // links at rest need no mass
     }
     if (added.mass < 0 || added.inertia < 0) {
       mechanism_.remark("a negative mass of the link " +
@@ -313,8 +313,8 @@ class PmksBuilder {
       mechanism_.masses.push_back(added);
       return;
     }
-    // Two bodies as one: the inertia is about the common centre. Of grams and centimetres it is
-    // kilograms by square centimetres.
+    // Two bodies as one: the inertia is about the common centre. A mass in grams with lengths in
+    // centimetres gives kilograms times square centimetres.
     const double mass = found->mass + added.mass;
     if (mass == 0) {
       return;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::string_view digits =
     "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz_-";
-constexpr std::size_t check_letters = 62;  ///< of these digits the last two check nothing
+constexpr std::size_t check_letters = 62;  ///< of these digits the last two are no check letters
 constexpr std::size_t longest_number = 10;
 constexpr double thousandths = 1000;
 constexpr std::size_t sections_of_settings = 4;
@@ -31,7 +31,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
-/// A whole number to the base 64; a zero in front is its minus sign.
+/// A whole number in base 64; a leading zero is its minus sign.
 double whole_number(const std::string& text, const std::string& part, bool has_sign = true) {
   const bool is_negative = has_sign && text.starts_with('0');
   double number = 0;
@@ -50,7 +50,7 @@ double decimal_number(const std::string& text, const std::string& part) {
   return whole_number(text, part) / thousandths;
 }
 
-/// The comma-separated fields of one record, of which the first begins with a digit of flags.
+/// The comma-separated fields of one record, the first of which begins with a digit of flags.
 class Record {
  public:
   Record(const std::string& text, std::string part)
@@ -138,8 +138,8 @@ PmksForce force_of(const Record& record) {
           record.number(6),  record.number(7)};
 }
 
-/// The payload without what checks it: its length as one letter, and, in newer links, a digest
-/// behind an asterisk.
+/// The payload without its checks: its length as one letter, and, in newer links, a digest after an
+/// asterisk.
 std::string checked(std::string payload) {
   constexpr std::size_t digest_length = 6;
   const std::string damaged = "the link is damaged or not whole; copy it again";
@@ -168,7 +168,7 @@ std::string checked(std::string payload) {
   return payload;
 }
 
-/// Replaces a number that thousandths do not hold: `PJA~0~1.23456` is x of the joint A.
+/// Replaces a number that is not a multiple of a thousandth: `PJA~0~1.23456` is x of the joint A.
 void restore(const std::string& entry, PmksPayload& payload) {
   const std::vector<std::string> fields = split(entry, '~');
   const auto invalid = [&] {
@@ -206,7 +206,7 @@ void restore(const std::string& entry, PmksPayload& payload) {
       put(payload.forces, std::array{&PmksForce::start_x, &PmksForce::start_y, &PmksForce::end_x,
                                      &PmksForce::end_y, &PmksForce::magnitude});
       return;
-    case 'D':  // the other ones are of the view
+    case 'D':  // the others belong to the view
       if (field == 1) {
         payload.slide_speed = value;
       }
@@ -221,7 +221,7 @@ void restore(const std::string& entry, PmksPayload& payload) {
   }
 }
 
-/// The entries behind all sections, each of which begins with a letter for its kind.
+/// The entries after all sections, each beginning with a letter for its kind.
 void read_tail(const std::string& tail, PmksPayload& payload, ForeignMechanism& mechanism) {
   for (const std::string& entry : split(tail, ',')) {
     if (entry.empty()) {
@@ -306,7 +306,7 @@ PmksPayload read_pmks(const std::string& text, ForeignMechanism& mechanism) {
   if (!payload.links.empty()) {
     mechanism.forget_look("colours");
   }
-  // What is selected comes next, and then the tail, in which exact numbers have points.
+  // The selection comes next, and then the tail, in which exact numbers have decimal points.
   std::string tail;
   while (++at < sections.size()) {
     tail += (tail.empty() ? "" : ".") + sections[at];

@@ -1,4 +1,4 @@
-// Turns the text behind the question mark of a PMKS+ link into the numbers and names that it holds.
+// Reads the numbers and names in the text after the question mark of a PMKS+ link.
 #pragma once
 
 #include <string>
@@ -11,19 +11,19 @@ namespace assur::mechanism::foreign {
 /// A pin, or a slider in a slot of the ground or of a link.
 struct PmksJoint {
   bool slides = false, is_input = false, is_grounded = false;
-  bool is_welded = false;  ///< of a slider: what rides in the slot does not turn in it
+  bool is_welded = false;  ///< of a slider: the part in the slot does not turn in it
   bool is_traced = false;
   std::string id, name;
   double x = 0, y = 0;
   double angle = 0;                     ///< of a slot in the ground, in radians
   std::string carrier, slot_a, slot_b;  ///< a slot in a link, along two of its joints
-  double speed = 0;  ///< turns per minute counter-clockwise, or length per second; 0 if not its own
+  double speed = 0;  ///< counter-clockwise turns per minute, or length per second; 0 if none
   double mass = 0;   ///< of the block of a slider
 };
 
 /// A rigid body, or the block between a pin and a slider at one place.
 struct PmksLink {
-  bool is_root = true;  ///< otherwise a part that is welded into another link
+  bool is_root = true;  ///< false for a part that is welded into another link
   bool is_block = false;
   std::string id, name;
   double mass = 0, inertia = 0, x = 0, y = 0;
@@ -47,12 +47,12 @@ struct PmksPayload {
   std::vector<PmksForce> forces;
 };
 
-/// Adds remarks on what it holds besides to `mechanism`. Throws MechanismError for a text that is
-/// no such payload, or damaged.
+/// Adds remarks on all other contents to `mechanism`. Throws MechanismError for a text that is not
+/// such a payload, or damaged.
 [[nodiscard]] PmksPayload read_pmks(const std::string& payload, ForeignMechanism& mechanism);
 
-/// The part of a link behind the question mark, with its percent signs resolved; a payload itself
-/// is its own. Empty for a text that is neither.
+/// The part of a link after the question mark, with its percent signs decoded; a payload itself is
+/// unchanged. Empty for a text that is neither.
 [[nodiscard]] std::string pmks_payload_of(const std::string& text);
 
 }  // namespace assur::mechanism::foreign

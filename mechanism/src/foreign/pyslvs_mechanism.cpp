@@ -1,4 +1,4 @@
-// Expressions of Pyslvs.
+// Mechanisms from expressions of Pyslvs.
 #include <algorithm>
 #include <assur/text/quoted.hpp>
 #include <cctype>
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_joints = 1000;
 constexpr double cycles_of_one_radian_per_second = 30 / M_PI;
 
-/// A joint as it is written.
+/// A joint as written in the expression.
 struct PyslvsJoint {
   std::string type;  ///< R, P or RP
   double angle = 0;  ///< of the slot of P and RP, in degrees
@@ -174,7 +174,7 @@ class ExpressionReader {
   bool has_colors_ = false;
 };
 
-/// Makes the mechanism of an expression.
+/// Builds the mechanism of an expression.
 class PyslvsBuilder {
  public:
   explicit PyslvsBuilder(const std::string& text) {
@@ -219,7 +219,8 @@ class PyslvsBuilder {
     return name == "ground" ? mechanism_.ground() : link_of_name_.at(name);
   }
 
-  /// The first link of a slider has the slot. What slides in it turns there, in RP, or not, in P.
+  /// The first link of a slider has the slot. The part that slides in it turns there for RP, and
+  /// does not for P.
   void add_joint(std::size_t place) {
     const PyslvsJoint& joint = written_[place];
     const ForeignPointIndex point(place);
@@ -251,7 +252,7 @@ class PyslvsBuilder {
     mechanism_.joints.add(slide);
   }
 
-  /// A link that has slots only needs a point of its own: one where its first slot is.
+  /// Adds a point at the first slot of each link that has slots only.
   void give_points_to_guides() {
     for (const ForeignLinkIndex link : mechanism_.links.keys()) {
       if (link == mechanism_.ground() || !mechanism_.links[link].points.empty()) {
@@ -313,7 +314,8 @@ class PyslvsBuilder {
       throw MechanismError("--driver", "the point " + text::in_quotes(name) +
                                            " is no joint of two links; name another one");
     }
-    // All links that the ground holds there are driven; of others, the second against the first.
+    // If the ground is among the links at a driven pin, all others are driven; otherwise the second
+    // relative to the first.
     pinned.resize(pinned.front() == mechanism_.ground() ? pinned.size() : 2);
     for (auto link = pinned.begin() + 1; link != pinned.end(); ++link) {
       mechanism_.drives.push_back({mechanism_.pin(pinned.front(), *link, point), " + 1*t"});

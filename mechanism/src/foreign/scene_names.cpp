@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t longest_name = 60;
 
-/// Whether a scene can call a point or a link so: a dot stands between a link and its feature.
+/// Whether a scene accepts the name of a point or a link: a dot stands between a link and its
+/// feature.
 bool is_usable(const std::string& name) {
   return !name.empty() && name.size() <= longest_name &&
          name.find_first_of(".\t\r\n\v\f") == std::string::npos && name.front() != ' ' &&
@@ -21,7 +22,7 @@ bool is_usable(const std::string& name) {
          text::first_byte_outside_utf8(name) == name.size();
 }
 
-/// Names of the parts of a table: `taken` has those that no part may have, and then all.
+/// Names of the parts of a table: `taken` holds the reserved names, and in the end all.
 template <typename Key, typename Part>
 Table<Key, std::string> names_of_parts(const Table<Key, Part>& parts, const std::string& what,
                                        std::set<std::string>& taken, ForeignMechanism& mechanism) {
@@ -30,7 +31,7 @@ Table<Key, std::string> names_of_parts(const Table<Key, Part>& parts, const std:
     ++parts_of_name[part.name];
   }
   Table<Key, std::string> names(parts.size());
-  // Parts whose names are their own come first, so that no identifier takes one of these.
+  // Parts with unique names come first, so that no identifier takes one of these.
   for (const Key key : parts.keys()) {
     const std::string& name = parts[key].name;
     if (is_usable(name) && parts_of_name[name] == 1 && !taken.contains(name)) {
@@ -87,7 +88,7 @@ SceneNames::SceneNames(ForeignMechanism& mechanism) {
   Table<ForeignLinkIndex, ForeignLink> moving = mechanism.links;
   moving[mechanism.ground()].name = moving[mechanism.ground()].id = "ground";
   links_ = names_of_parts(moving, "link", taken, mechanism);
-  // A moving link must not be taken for the ground.
+  // A moving link must not be mistaken for the ground.
   for (const ForeignLinkIndex link : links_.keys()) {
     if (link != mechanism.ground() && links_[link] == "ground") {
       links_[link] = new_name("ground", taken);

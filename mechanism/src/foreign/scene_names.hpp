@@ -1,4 +1,4 @@
-// Turns the names that another program's file gives into names that a scene can use, each once.
+// Unique names for a scene, from those in another program's file.
 #pragma once
 
 #include <set>
@@ -8,9 +8,9 @@
 
 namespace assur::mechanism::foreign {
 
-/// The names of a mechanism's parts in its scene. A part keeps the name that the file gives it if a
-/// scene can use it and no other part of its kind is called so; otherwise its name is its
-/// identifier, behind the name where several parts share it.
+/// The names of a mechanism's parts in its scene. A part keeps its name from the file if a scene
+/// accepts it and no other part of its kind has it; otherwise its name is its identifier, after the
+/// shared name if several parts have it.
 class SceneNames {
  public:
   /// Adds a remark for each name that cannot be used.
@@ -23,13 +23,13 @@ class SceneNames {
   [[nodiscard]] const std::string& operator[](ForeignJointIndex joint) const {
     return joints_[joint];
   }
-  /// Whether the scene names the joint only by its point: a pin of the ground and one link.
+  /// Whether the scene names the joint only by its point: a pin between the ground and one link.
   [[nodiscard]] bool is_implied(ForeignJointIndex joint) const { return implied_[joint]; }
   /// The parameter that is the coordinate of a joint as drawn: `A_drawn`.
   [[nodiscard]] const std::string& coordinate(ForeignJointIndex joint) const {
     return coordinates_[joint];
   }
-  /// A name for a further point of the scene, made of these words.
+  /// A name for a further point of the scene, composed of these words.
   [[nodiscard]] std::string new_point(const std::string& words);
 
  private:
@@ -42,7 +42,7 @@ class SceneNames {
   std::set<std::string> taken_points_;
 };
 
-/// The name with underscores behind it until it is not among those taken, to which it is added.
+/// The name, with underscores appended until it is not among those taken, to which it is added.
 [[nodiscard]] std::string new_name(std::string name, std::set<std::string>& taken);
 
 }  // namespace assur::mechanism::foreign

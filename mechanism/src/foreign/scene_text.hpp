@@ -1,4 +1,4 @@
-// From the texts of other programs to mechanisms, and from these to the text of a drawn scene.
+// Mechanisms from the texts of other programs, and their text as drawn scenes.
 #pragma once
 
 #include <string>
@@ -7,17 +7,17 @@
 
 namespace assur::mechanism::foreign {
 
-/// Inputs with positive speeds turn clockwise. Throws MechanismError for a text that is not such a
-/// file.
+/// The mechanism of a file of Linkage. Inputs with positive speeds turn clockwise. Throws
+/// MechanismError for a text that is not such a file.
 [[nodiscard]] ForeignMechanism linkage_mechanism(const std::string& text);
 
-/// The mechanism of a payload, the part of a link behind the question mark. Masses are in the unit
-/// that makes forces newtons (pounds of force, where lengths are inches). Throws MechanismError for
-/// a payload that is damaged, or whose parts name parts that are not there.
+/// The mechanism of a payload, the part of a link after the question mark. Masses are in a unit
+/// that makes forces newtons (pounds of force for lengths in inches). Throws MechanismError for a
+/// payload that is damaged, or whose parts name missing parts.
 [[nodiscard]] ForeignMechanism pmks_mechanism(const std::string& payload);
 
 /// The mechanism of an expression `M[J[R, P[0, 0], L[ground, crank]], ...]`, whose points are P0,
-/// P1 and so on. `driver` is the point of the driven joint; where it is empty, the first pin of one
+/// P1 and so on. `driver` is the point of the driven joint; if it is empty, the first pin of one
 /// link on the ground. Throws MechanismError for a text that is not such an expression, and for a
 /// driver that is none of its joints.
 [[nodiscard]] ForeignMechanism pyslvs_mechanism(const std::string& text, const std::string& driver);

@@ -1,4 +1,4 @@
-// The text of a drawn scene, with one line for each of its parts.
+// Text of a drawn scene, with one line for each of its parts.
 #include <algorithm>
 #include <assur/text/names.hpp>
 #include <assur/text/quoted.hpp>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// The object of a scene under one key, with a line for each of its members.
+/// An object of a scene under its key, with a line for each member.
 struct Section {
   std::string key;
   std::vector<std::string> lines{};
@@ -23,7 +23,7 @@ struct Section {
     lines.push_back("    " + Json(name).dump() + ": " + spaced(value));
   }
 
-  /// The value on one line, with a blank behind each comma and colon.
+  /// The value on one line, with a blank after each comma and colon.
   static std::string spaced(const Json& value) {
     if (value.is_array()) {
       return "[" + text::joined(value, ", ", spaced) + "]";
@@ -87,7 +87,7 @@ class SceneWriter {
   }
 
  private:
-  /// The points of a link, of which the first two do not coincide if any two do not.
+  /// The points of a link; the first two are distinct if any two are.
   [[nodiscard]] std::vector<ForeignPointIndex> listed(ForeignLinkIndex link) const {
     std::vector<ForeignPointIndex> points = mechanism_.links[link].points;
     const auto apart = std::ranges::find_if(points, [&](ForeignPointIndex point) {

@@ -28,7 +28,7 @@ using assur::loops::Complex;
 using assur::loops::epsilon;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// A number with its derivatives to unknowns, inputs and dimensions.
+/// A number with its derivatives with respect to unknowns, inputs and dimensions.
 using Tangent = Eigen::AutoDiffScalar<Eigen::Matrix<double, most_variables, 1>>;
 
 /// Reads lengths and directions from a flat list, one after the other.
@@ -46,7 +46,7 @@ class FlatReader {
   const Scalar* next_;
 };
 
-/// Writes variables as tangents, each with a derivative of one by itself.
+/// Writes variables as tangents, each with unit derivative by itself.
 class Seeds {
  public:
   [[nodiscard]] Flat<Tangent> seeded(const std::vector<bool>& are_angles,
@@ -98,14 +98,14 @@ AllDerivatives derivatives_of(const PlacedLinks<Tangent>& placed, Eigen::Index c
   return result;
 }
 
-/// A series that runs along a straight line.
+/// A linear series.
 Series along(double start, double rate) {
   Series result(start);
   result.c[1] = rate;
   return result;
 }
 
-/// Variables that move along a straight line.
+/// Variables that change linearly.
 FlatSeries moving(const std::vector<bool>& are_angles, const FlatVariables& from,
                   const SmallVector& rate) {
   FlatSeries result;
@@ -137,7 +137,7 @@ double longest(const std::vector<bool>& are_angles, const FlatVariables& variabl
   return result;
 }
 
-/// How far rounding may have moved the links of a group, as `support::DisplacedGroup` has it.
+/// The displacement of a group's links that rounding may cause, as in `support::DisplacedGroup`.
 support::Displacement displaced_links(const SmallMatrix& inverse, Eigen::Index angles, double size,
                                       double longest_input, double longest_slide,
                                       const support::Displacement& given) {
@@ -187,15 +187,15 @@ DerivedKernel::DerivedKernel(Loops loops, std::vector<std::vector<int>> link_joi
                                  false);
     }
   }
-  // Numbers in general position tell which coefficients are zero by structure, and how many complex
-  // configurations there are; each trial must find the same number.
+  // Numbers in general position show which coefficients are structurally zero, and the number of
+  // complex configurations; each trial must find the same number.
   constexpr int trials = 3;
   constexpr int any_number = std::numeric_limits<int>::max();
   GeneralEquations general(loops_);
   eliminations_ = eliminations_of(general.next());
   const std::vector<assur::loops::Elimination>& all = eliminations_.list();
   for (int trial = 0; trial < trials && !all.empty(); ++trial) {
-    // Two eliminations that hide different angles, so that none is lost by chance.
+    // Two eliminations that hide different angles, so that no solution is lost by chance.
     const std::vector<assur::loops::Elimination> few = {all.front(), all.back()};
     complex_count_ = std::max(
         complex_count_, assur::loops::all_configurations(general.next(), few, any_number).count());

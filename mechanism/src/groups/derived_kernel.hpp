@@ -1,4 +1,4 @@
-// The functions of a model that is derived from the graph of its group.
+// Kernel of a model that is derived from the graph of its group.
 #pragma once
 
 #include <assur/mechanism/group_model.hpp>
@@ -16,17 +16,17 @@ using ComplexConfiguration = loops::ComplexConfiguration<loops::AnySizes>;
 /// The unknowns, inputs and dimensions of the largest group together.
 inline constexpr int most_variables = 72;
 
-/// The closures of a group of any size, as its loops are placed, and their derivatives. The
-/// unknowns q are the angles of the links in `Loops::free_turned` and then the displacements; the
-/// dimensions d are those of `LinkForm`, link by link; the inputs u are the points, or lines, of
-/// the base at the external joints.
+/// The closures of a group of any size, by its loops, and their derivatives. The unknowns q are the
+/// angles of the links in `Loops::free_turned` and then the displacements; the dimensions d are
+/// those of `LinkForm`, link by link; the inputs u are the points, or lines, of the base at the
+/// external joints.
 class DerivedKernel final : public ModelKernel {
  public:
   /// `link_joints`: of each link, in the order in which the dimensions list them.
   DerivedKernel(Loops loops, std::vector<std::vector<int>> link_joints);
 
-  /// The number of configurations in complex numbers, in general position; zero where there is
-  /// none, or no way to find all.
+  /// The number of complex configurations in general position; zero if there is none, or if no
+  /// method finds all.
   [[nodiscard]] int complex_count() const { return complex_count_; }
   [[nodiscard]] const Eliminations& eliminations() const { return eliminations_; }
   [[nodiscard]] const Starts& starts() const { return starts_; }
@@ -34,7 +34,8 @@ class DerivedKernel final : public ModelKernel {
   [[nodiscard]] const std::vector<bool>& dimension_is_angle() const { return dimension_is_angle_; }
   [[nodiscard]] const std::vector<bool>& input_is_angle() const { return input_is_angle_; }
 
-  /// Encloses all configurations, and tells the ball of the one with these directions of the links.
+  /// Encloses all configurations, and returns the ball of the one with these directions of the
+  /// links.
   [[nodiscard]] GroupProof proof(const std::vector<JointFeatures<double>>& features,
                                  const std::vector<Direction<double>>& directions) const;
 
@@ -56,7 +57,7 @@ class DerivedKernel final : public ModelKernel {
               models::MovingGroup& moving) const override;
 
  private:
-  /// Calls `search(ways)` with the eliminations, or the starts where there are none.
+  /// Calls `search(ways)` with the eliminations, or with the starts if there are none.
   template <typename Search>
   auto by_every_way(const Search& search) const {
     return eliminations_.list().empty() ? search(starts_.list()) : search(eliminations_.list());
@@ -72,14 +73,14 @@ class DerivedKernel final : public ModelKernel {
                                            const models::Flat<Scalar>& u,
                                            const models::Flat<Scalar>& q) const;
   [[nodiscard]] static models::FlatVariables flat(const ComplexConfiguration& at);
-  /// The longest length of the group; of the external joints' places only differences count.
+  /// The longest length of the group; the external joints' places count by their differences only.
   [[nodiscard]] double size_of(const models::FlatVariables& d,
                                const models::FlatVariables& u) const;
-  /// How firmly the closures hold the unknowns, as emitted solvers judge it
+  /// How firmly the closures determine the unknowns, by the test of emitted solvers
   /// (support/loop_group.hpp).
   [[nodiscard]] Regularity<double> regularity(const Eigen::MatrixXd& j, double size,
                                               double unsure) const;
-  /// How far the loop Jacobian may be off, as `support::unsure_jacobian` has it.
+  /// The error bound of the loop Jacobian, as in `support::unsure_jacobian`.
   [[nodiscard]] double unsure_jacobian(const models::FlatVariables& d,
                                        const models::FlatVariables& u,
                                        const support::Displacement& displaced) const;
@@ -88,7 +89,7 @@ class DerivedKernel final : public ModelKernel {
   std::vector<std::vector<int>> link_joints_;
   std::vector<bool> unknown_is_angle_, dimension_is_angle_, input_is_angle_;
   Eliminations eliminations_;
-  Starts starts_;  ///< where there is no elimination
+  Starts starts_;  ///< if there is no elimination
   int complex_count_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// The models of larger groups, each derived when it is asked for first.
+// Models of larger groups, each derived on its first use.
 #include "groups/derived_model.hpp"
 
 #include <algorithm>
@@ -14,14 +14,14 @@ namespace assur::mechanism::groups {
 
 namespace {
 
-/// A model with all that it refers to.
+/// A model with all data to which it refers.
 struct DerivedModel {
   GroupStructure structure;
   DerivedKernel kernel;
   GroupModel model;
 };
 
-/// The joints of a group as numbers that can be compared.
+/// The joints of a group in comparable form.
 using Graph = std::vector<std::tuple<int, int, bool>>;
 
 std::unique_ptr<DerivedModel> derived(int link_count, const std::vector<ModelJoint>& joints,
@@ -91,7 +91,7 @@ std::unique_ptr<DerivedModel> derived(int link_count, const std::vector<ModelJoi
   return result;
 }
 
-/// Lets one thread at a time pass. The standard library of a program without threads has no mutex.
+/// Mutual exclusion of threads. The standard library of a program without threads has no mutex.
 class Gate {
  public:
   explicit Gate(std::atomic_flag& flag) : flag_(flag) {

@@ -13,11 +13,11 @@ namespace {
 using loops::AngleSet;
 using loops::Complex;
 
-/// In general position a coefficient of a row that is smaller than this part of the largest one is
-/// zero by structure, but for rounding.
+/// In general position a coefficient of a row below this part of the largest one is structurally
+/// zero, up to rounding.
 constexpr double structural_zero = 1e-9;
 
-/// The coefficients of one equation: for each product of reciprocal directions the powers of x.
+/// The coefficients of one equation: for each product of reciprocal directions, the powers of x.
 using Row = std::map<AngleSet, std::map<int, Complex>>;
 
 double largest(const Row& row) {
@@ -30,7 +30,7 @@ double largest(const Row& row) {
   return result;
 }
 
-/// Adds the elimination with a ground and a hidden angle, unless it is of no use.
+/// Adds the elimination with a ground and a hidden angle, if it is usable.
 void add(const LoopEquations& general, int ground, int hidden, Eliminations& result) {
   const loops::HiddenAngle<loops::AnySizes> equations(general, ground, hidden);
   AngleSet others = 0;
@@ -99,7 +99,7 @@ Eliminations eliminations_of(const LoopEquations& general) {
     result.add(0, loops::Elimination::none, 0, {}, {}, {});
   }
   for (int ground = 0; ground <= general.angle_count(); ++ground) {
-    // To hide the ground's angle against the other one is the same with 1/x in place of x.
+    // Exchanging the ground's angle and the hidden one only replaces x by 1/x.
     for (int hidden = ground + 1; hidden <= general.angle_count(); ++hidden) {
       bool runs = true;
       for (const int angle : general.slide_angles) {

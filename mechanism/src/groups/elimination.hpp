@@ -1,4 +1,4 @@
-// The ways to bring the equations of a group to one unknown, as its graph allows them.
+// Eliminations that reduce the equations of a group to one unknown, by its graph.
 #pragma once
 
 #include <assur/loops/elimination.hpp>
@@ -8,7 +8,7 @@
 
 namespace assur::mechanism::groups {
 
-/// Eliminations, with the tables that they refer to.
+/// Eliminations, with the tables to which they refer.
 class Eliminations {
  public:
   Eliminations() = default;
@@ -29,8 +29,8 @@ class Eliminations {
   std::vector<std::vector<int>> powers_;
 };
 
-/// The eliminations that serve a group in general position. A displacement must run along the
-/// ground or the hidden angle; there is none where slides lie in three directions (`Starts`).
+/// The usable eliminations of a group in general position. A displacement must run along the ground
+/// or the hidden angle; if slides have three directions, there is none (`Starts`).
 [[nodiscard]] Eliminations eliminations_of(const LoopEquations& general);
 
 }  // namespace assur::mechanism::groups

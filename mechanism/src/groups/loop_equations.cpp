@@ -64,7 +64,7 @@ GeneralEquations::Closed GeneralEquations::next_closed() {
   for (loops::Complex& s : result.at.s) {
     s = next_length();
   }
-  // A joint that closes a loop is moved on its second link to where it is on the first one.
+  // A joint that closes a loop is moved on its second link to its place on the first one.
   const Eigen::VectorXcd open = assur::loops::closures_at(result.equations, result.at);
   for (Eigen::Index loop = 0; loop < result.equations.loop_count(); ++loop) {
     const int joint = loops_.closing[static_cast<std::size_t>(loop)];

@@ -1,4 +1,4 @@
-// The loop closures of a group at given numbers, and in general position.
+// Loop closures of a group at given numbers, and in general position.
 #pragma once
 
 #include <assur/loops/loop_equations.hpp>
@@ -15,7 +15,7 @@ using LoopEquations = loops::LoopEquations<loops::AnySizes>;
 [[nodiscard]] LoopEquations loop_equations(const Loops& loops,
                                            const std::vector<JointFeatures<double>>& features);
 
-/// The closures of a group in general position, with other random numbers each time.
+/// The closures of a group in general position, with new random numbers on each call.
 class GeneralEquations {
  public:
   explicit GeneralEquations(const Loops& loops) : loops_(loops), engine_(seed) {}

@@ -7,7 +7,7 @@ namespace assur::mechanism::groups {
 
 namespace {
 
-/// The joints over which a walk from some link, or the base, reaches the links for the first time.
+/// The joints over which a walk from some link, or from the base, reaches each link first.
 template <typename Leads>
 void walk(const Loops& loops, int from, const Leads& leads, std::vector<bool>& is_reached,
           std::vector<Reached>& result) {

@@ -1,4 +1,4 @@
-// The links of a group where their angles and displacements are known, in any scalar.
+// Links of a group at given angles and displacements, in any scalar.
 #pragma once
 
 #include <assur/directions.hpp>
@@ -10,8 +10,8 @@
 
 namespace assur::mechanism::groups {
 
-/// A joint on its two links, in their frames: a point, or a line through it. The base's frame is
-/// the fixed one.
+/// The features of a joint in the frames of its two links: a point, or a line through it. The
+/// base's frame is fixed.
 template <typename Scalar>
 struct JointFeatures {
   LinkFeature<Scalar> on_first, on_second;
@@ -33,9 +33,9 @@ template <typename Scalar>
           feature.line ? turned(by, feature.along) : by};
 }
 
-/// Places the links of a group with these angles (the base's is not among them) and displacements:
-/// each one where the joint by which it is reached holds it. The closures are the gaps at the
-/// joints that close the loops.
+/// Places the links of a group with these angles (without the base's) and displacements, each by
+/// the joint through which it is reached. The closures are the gaps at the joints that close the
+/// loops.
 template <typename Scalar>
 [[nodiscard]] PlacedLinks<Scalar> place_links(const Loops& loops,
                                               const std::vector<JointFeatures<Scalar>>& features,
@@ -60,7 +60,7 @@ template <typename Scalar>
         turned(turned(pose_of(from).direction, feature_on(joint, from).along),
                reversed(feature_on(joint, link).along));
   }
-  // How far the second link's feature is from the first one's, as the displacement tells.
+  // The vector from the first link's feature to the second one's, by the displacement.
   const auto slid = [&](int joint, int from) {
     const Pose<Scalar> end = feature_place(pose_of(from), feature_on(joint, from));
     if (loops.slide[at(joint)] < 0) {

@@ -9,7 +9,7 @@ namespace {
 
 using Balls = std::vector<loops::Enclosed<loops::AnySizes>>;
 
-/// Adds a configuration near `at`, unless it is known or not isolated; whether it was added.
+/// Adds a configuration near `at` and returns true, unless it is known or not isolated.
 bool add_near(const LoopEquations& equations,
               const loops::ComplexConfiguration<loops::AnySizes>& at, Balls& known) {
   loops::Enclosed<loops::AnySizes> ball{at, 0, 0, false};
@@ -33,9 +33,9 @@ Starts::Starts(GeneralEquations& general) {
   if (!add_near(equations, drawn, known)) {
     return;
   }
-  // Numbers and configurations together are one irreducible set: they are linear in the numbers.
-  // The configurations that closed paths permute are then one orbit, and if some are not known, at
-  // least half of all permutations lead to one of them.
+  // Numbers and configurations together are one irreducible set, since the closures are linear in
+  // the numbers. The configurations that closed paths permute are then one orbit, and if some are
+  // unknown, at least half of all permutations lead to one of them.
   constexpr int most_quiet = 10;
   for (int quiet = 0; quiet < most_quiet; ++quiet) {
     const LoopEquations other = general.next();
@@ -57,7 +57,7 @@ Starts::Starts(GeneralEquations& general) {
     theta_.insert(theta_.end(), ball.at.theta.begin(), ball.at.theta.end());
     s_.insert(s_.end(), ball.at.s.begin(), ball.at.s.end());
   }
-  constexpr int ways = 3;  // where some configurations are missed, paths may have been lost
+  constexpr int ways = 3;  // if some configurations are missed, paths may have been lost
   for (int way = 0; way < ways; ++way) {
     list_.push_back({static_cast<int>(known.size()), of_angles_.data(), of_slides_.data(),
                      theta_.data(), s_.data(), general.next_turn()});

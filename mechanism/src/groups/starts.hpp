@@ -1,5 +1,4 @@
-// The complex configurations of a group in general position, from which those of the same group
-// with other numbers are continued.
+// Complex configurations of a group in general position, the start points of homotopies.
 #pragma once
 
 #include <assur/loops/start.hpp>
@@ -10,7 +9,7 @@
 
 namespace assur::mechanism::groups {
 
-/// Starts, with the tables that they refer to.
+/// Starts, with the tables to which they refer.
 class Starts {
  public:
   Starts() = default;
@@ -19,11 +18,11 @@ class Starts {
   Starts(const Starts&) = delete;
   Starts& operator=(const Starts&) = delete;
   ~Starts() = default;
-  /// All configurations of one set of numbers: a drawn one, and those to which closed paths through
-  /// other numbers lead from the ones that are known. None where the drawn one is not isolated.
+  /// All configurations at one set of random numbers: a random one, and those to which closed paths
+  /// through other numbers lead from the known ones. None if the first one is not isolated.
   explicit Starts(GeneralEquations& general);
 
-  /// The same configurations with different paths from them.
+  /// The same configurations several times, each time with other paths from them.
   [[nodiscard]] const std::vector<loops::Start>& list() const { return list_; }
   [[nodiscard]] int complex_count() const {
     return list_.empty() ? 0 : list_.front().configurations;

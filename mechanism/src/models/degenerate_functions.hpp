@@ -1,5 +1,4 @@
-// Turns a degenerate model at given numbers into its closures as its slides tie them, and these
-// into the answers of the model's kernel.
+// Kernel functions of a degenerate model, by the closures that its slides leave.
 #pragma once
 
 #include <algorithm>
@@ -45,8 +44,8 @@ class DegenerateFunctions final : public ModelKernel {
     }
   }
 
-  /// Computes by how much the closures fail or, where the angles fail, by how much that moves a
-  /// point of the group.
+  /// Computes the gap of the closures or, if the angles are incompatible, the distance by which
+  /// they move a point of the group.
   Status gap(const FlatVariables& flat_d, const FlatVariables& flat_u,
              double& result) const override {
     const auto d = support::unflattened<Dimensions>(flat_d);
@@ -63,16 +62,16 @@ class DegenerateFunctions final : public ModelKernel {
   }
 
  private:
-  /// Directions come from the scene's expressions, a few roundings each; those of links that are
-  /// placed before may have lost more digits. Even the largest tolerance is smaller than any
-  /// contradiction that a scene would intend.
+  /// Directions result from the scene's expressions, with a few roundings each; those of links that
+  /// are placed before may have lost more digits. Even the largest tolerance is smaller than any
+  /// intended contradiction of a scene.
   [[nodiscard]] static double tolerance_of_angles(const support::Displacement& displaced) {
     constexpr double least = 1e-12;
     constexpr double most = 1e-9;
     return std::isfinite(displaced.turned) ? std::clamp(4 * displaced.turned, least, most) : least;
   }
 
-  /// The length of the chord by which the angles that prismatic joints tie miss each other.
+  /// The chord length of the largest contradiction between angles that prismatic joints fix.
   [[nodiscard]] static double misfit_of_angles(const Dimensions& d, const Inputs& u) {
     double largest = 0;
     if constexpr (Model::compatibility_count > 0) {
@@ -98,7 +97,7 @@ class DegenerateFunctions final : public ModelKernel {
     result.turns = has_angle;
     fill_closures(d, u, result);
     result.farthest = longest_length(u);
-    // Beyond this, rounding is not counted in groups that are rigid, either.
+    // Beyond this, rounding is disregarded in rigid groups, too.
     const double longest = std::max(1.0, displaced.reach * scale);
     result.displaced = support::counted_displacement(displaced.moved * scale, longest);
     result.turned = support::counted_displacement(displaced.turned, 1.0) + misfit;
@@ -131,7 +130,7 @@ class DegenerateFunctions final : public ModelKernel {
     return f;
   }
 
-  /// Each loop's vector as seen from a link in this direction.
+  /// Each loop's vector in the frame of a link in this direction.
   [[nodiscard]] static Residual turned_back(const Residual& f, const Direction<double>& link) {
     Residual result;
     for (int row = 0; row < Model::equation_count; row += 2) {
@@ -141,7 +140,8 @@ class DegenerateFunctions final : public ModelKernel {
     return result;
   }
 
-  /// Whether slides turn with the angle; then all do, as they tie each link to it.
+  /// Whether slides turn with the angle; then all do, since they fix each link's angle relative to
+  /// it.
   [[nodiscard]] static bool slides_turn(const Dimensions& d, const Inputs& u) {
     SmallMatrix before;
     SmallMatrix after;
@@ -163,7 +163,7 @@ class DegenerateFunctions final : public ModelKernel {
     }
   }
 
-  /// The configuration with no displacements and this direction of the angle.
+  /// The configuration with zero displacements and this direction of the angle.
   [[nodiscard]] static Configuration standing_at(double cos, double sin) {
     FlatVariables flat{};
     std::size_t place = 0;

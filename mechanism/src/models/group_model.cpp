@@ -1,3 +1,4 @@
+// Look-up of the models of a group, and Assur's class of a graph.
 #include <algorithm>
 #include <assur/mechanism/group_model.hpp>
 #include <functional>
@@ -22,7 +23,7 @@ GroupModels::Served GroupModels::serving(const std::vector<bool>& prismatic) con
       return {&model, *kind};
     }
   }
-  return {nullptr, ""};  // the models of a group serve all its kinds
+  return {nullptr, ""};  // unreachable: the models of a group cover all its kinds
 }
 
 int assur_class_of(int link_count, const std::vector<JointPair>& joints) {
@@ -45,7 +46,7 @@ int assur_class_of(int link_count, const std::vector<JointPair>& joints) {
     }
     largest = inner ? std::max(largest, own) : largest;
   }
-  // The longest walk over different links that comes back to where it began.
+  // The longest closed walk over different links.
   std::vector<int> walk;
   const std::function<void(int)> extend = [&](int link) {
     walk.push_back(link);

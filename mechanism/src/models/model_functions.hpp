@@ -1,4 +1,4 @@
-// Turns the generated models of a group into their kernels and rows in the list of models.
+// Kernels of a group's generated models, and their rows in the list of models.
 #pragma once
 
 #include <algorithm>
@@ -163,7 +163,7 @@ class ModelFunctions final : public ModelKernel {
   }
 
  private:
-  // Plain loops: Eigen's expressions would be compiled anew for the sizes of every model.
+  // Plain loops: Eigen's expressions would be compiled separately for the sizes of every model.
   static double largest(const double* numbers, int count) {
     double result = 0;
     for (int index = 0; index < count; ++index) {
@@ -222,7 +222,7 @@ template <typename Variables>
   return std::vector<bool>(angles.begin(), angles.end());
 }
 
-/// The row of a model, but for its group.
+/// The row of a model, without its group.
 template <typename Model>
 [[nodiscard]] GroupModel row_of() {
   GroupModel row{nullptr,
@@ -267,14 +267,14 @@ template <typename Model>
   return structure;
 }
 
-/// A group with its models from one place on, in the order of their numbers.
+/// A group with its models from one index on, in the order of their numbers.
 template <typename Models, std::size_t First, std::size_t... Place>
 [[nodiscard]] GroupModels models_from(std::index_sequence<Place...>) {
   return {structure_of<std::tuple_element_t<0, Models>>(),
           {row_of<std::tuple_element_t<First + Place, Models>>()...}};
 }
 
-/// The group with one of `parts` parts of its models: the parts are compiled side by side.
+/// The group with one of `parts` parts of its models, which are compiled in parallel.
 template <typename Models, std::size_t part, std::size_t parts>
 [[nodiscard]] GroupModels part_of() {
   constexpr std::size_t count = std::tuple_size_v<Models>;

@@ -1,4 +1,4 @@
-// The configurations of one group and their motion, behind plain numbers: the same for every model.
+// Common interface of all models: configurations of one group and their motion, as plain numbers.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,8 +15,8 @@
 
 namespace assur::mechanism::models {
 
-/// The bounds of a group's sizes: it has at most eight links, and no array of it is longer than
-/// these. A link's own dimensions are two for each joint but the first.
+/// Bounds on the sizes of a group: it has at most eight links, and no array of it is longer than
+/// these. A link's own dimensions are two for each joint except the first.
 inline constexpr int most_links = static_cast<int>(most_links_of_group);
 inline constexpr int most_unknowns = 8;
 inline constexpr int most_configurations = 70;  ///< the bihomogeneous bound of four loops
@@ -38,47 +38,47 @@ struct GroupAssemblies {
   std::size_t count = 0;
   std::vector<FlatVariables> configurations;  ///< the first `count` of them; kept for their memory
   std::vector<Status> regularity;
-  /// False where the angles that the prismatic joints of a degenerate model tie contradict.
+  /// False if the angles that prismatic joints of a degenerate model fix are incompatible.
   bool is_compatible = true;
-  /// How many configurations were found in complex numbers, where a list that may lack some was
-  /// found by them; else nothing: no configuration can be missing.
+  /// The number of complex configurations found, if the list follows from them and may be
+  /// incomplete; else nothing: no configuration can be missing.
   std::optional<int> complex_count = std::nullopt;
 };
 
-/// What is asked of one configuration, and how the group's neighbours move.
+/// The derivatives requested of one configuration, and the motion of the group's neighbours.
 struct MotionQuery {
-  bool derivatives = false;  ///< to dimensions and inputs
+  bool derivatives = false;  ///< with respect to dimensions and inputs
   SmallVector input_rate, input_second_rate;
   support::Displacement displaced;  ///< of the neighbours, by rounding
 };
 
-/// Where the links of a group stand, in the order of the model's table.
+/// The poses of a group's links, in the order of the model's table.
 using GroupPoses = std::array<Pose<double>, most_links>;
 
 /// One configuration of a group: rows in the order of the model's tables, poses (x, y, theta) link
-/// by link. Where the Jacobian has no inverse, rates and derivatives are NaN.
+/// by link. If the Jacobian has no inverse, rates and derivatives are NaN.
 struct GroupMotion {
-  double residual = 0;              ///< largest of the closures
-  Regularity<double> standing;      ///< by the pivots alone
-  double size = 0;                  ///< the distance by which one radian moves points
-  double held = 0;                  ///< how far rounding may have moved the group's neighbours
-  support::Displacement displaced;  ///< how far, at most, it may have moved the group's links
+  double residual = 0;          ///< largest of the closures
+  Regularity<double> standing;  ///< by the pivots alone
+  double size = 0;              ///< the distance by which one radian moves points
+  double held = 0;              ///< bound on the displacement of the group's neighbours by rounding
+  support::Displacement displaced;  ///< bound on that of the group's links
   GroupPoses poses;
   SmallVector rate, second_rate;          ///< of the unknowns
   SmallMatrix velocities, accelerations;  ///< a row (x, y, theta) per link
   SmallMatrix inverse;                    ///< of the loop Jacobian
-  SmallMatrix q_d, q_u;                   ///< how the unknowns follow dimensions and inputs
-  SmallMatrix p_q, p_d, p_u;              ///< partial derivatives of the poses
+  SmallMatrix q_d, q_u;       ///< derivatives of the unknowns with respect to dimensions and inputs
+  SmallMatrix p_q, p_d, p_u;  ///< partial derivatives of the poses
 };
 
-/// A direction in which unknowns, dimensions and inputs move, and the second derivatives along it:
+/// A direction of change of unknowns, dimensions and inputs, and the second derivatives along it:
 /// `closures` = -d2f and `poses` = d2p of the loop closures f(q, d, u) and the link poses p(q, d,
 /// u), all variables independent.
 struct Curvature {
   SmallVector closures, poses;
 };
 
-/// Variables that move, flat; the closures and the link poses that follow from them.
+/// Flat variables along a motion, with the resulting closures and link poses.
 using FlatSeries = Flat<Series>;
 /// The series of a group's closures and of its link poses.
 struct MovingGroup {
@@ -90,18 +90,18 @@ struct MovingGroup {
 
 namespace assur::mechanism {
 
-/// The functions of one model behind plain numbers: d, u and q are flat. A degenerate model has no
-/// configuration, so that nothing is asked of it but whether it can be assembled.
+/// The functions of one model as plain numbers: d, u and q are flat. Only `assemble` and `gap`
+/// apply to a degenerate model, which has no isolated configuration.
 class ModelKernel {
  public:
-  /// Finds all configurations; `displaced` is how far rounding may have moved the neighbours.
+  /// Finds all configurations; `displaced` bounds the neighbours' displacement by rounding.
   virtual void assemble(const models::FlatVariables& d, const models::FlatVariables& u,
                         const support::Displacement& displaced,
                         models::GroupAssemblies& found) const = 0;
-  /// Sets the least residual of the closures, where there are no configurations.
+  /// Sets the least residual of the closures, if there are no configurations.
   virtual Status gap(const models::FlatVariables& d, const models::FlatVariables& u,
                      double& result) const = 0;
-  /// Sets the poses of the links where the group's closures hold.
+  /// Sets the poses of the links if the group's closures hold.
   virtual void stand(const models::FlatVariables&, const models::FlatVariables&,
                      const models::FlatVariables&, models::GroupPoses&) const {}
   virtual void move(const models::FlatVariables&, const models::FlatVariables&,
@@ -111,7 +111,7 @@ class ModelKernel {
                     const models::FlatVariables&, const models::SmallVector& /*q_x*/,
                     const models::SmallVector& /*d_x*/, const models::SmallVector& /*u_x*/,
                     models::Curvature&) const {}
-  /// The closures and poses of a group that moves, to the order of a series.
+  /// The closures and poses of a moving group, to the order of a series.
   virtual void expand(const models::FlatSeries&, const models::FlatSeries&,
                       const models::FlatSeries&, models::MovingGroup&) const {}
 

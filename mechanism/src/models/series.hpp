@@ -1,4 +1,4 @@
-// Turns formulas into the Taylor coefficients of their values along a motion.
+// Truncated Taylor series of numbers along a motion.
 #pragma once
 
 #include <array>
@@ -7,8 +7,8 @@
 
 namespace assur::mechanism::models {
 
-/// The series c0 + c1 t + ... + c4 t^4, with higher orders cut off. An unknown coefficient is NaN;
-/// so are all that depend on it, which are of its order or higher.
+/// The series c0 + c1 t + ... + c4 t^4, without higher orders. An unknown coefficient is NaN; so
+/// are all that depend on it, which are of its order or higher.
 struct Series {
   static constexpr std::size_t order = 4;
   std::array<double, order + 1> c{};
@@ -27,12 +27,11 @@ struct Series {
 [[nodiscard]] Series operator-(const Series& a);
 [[nodiscard]] Series operator*(const Series& a, const Series& b);
 
-/// The direction of an angle that moves: `angle` is how far it has turned from `start`, and zero at
-/// t = 0.
+/// The direction of a variable angle: `angle` is the turn from `start`, and zero at t = 0.
 [[nodiscard]] Direction<Series> turning(const Direction<double>& start, const Series& angle);
 
-/// The rates of a direction that moves: with c^2 + s^2 = 1, omega = c s' - s c' and
-/// alpha = c s'' - s c''.
+/// The rates of a variable direction: with c^2 + s^2 = 1, omega = c s' - s c' and alpha = c s'' - s
+/// c''.
 [[nodiscard]] double turning_rate(const Direction<Series>& direction);
 [[nodiscard]] double second_turning_rate(const Direction<Series>& direction);
 

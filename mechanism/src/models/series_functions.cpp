@@ -20,7 +20,7 @@ Series taylor(const std::array<double, Series::order + 1>& f, const Series& a) {
   return result;
 }
 
-/// The derivative in time, without its last coefficient, which is not known.
+/// The derivative with respect to t, without its last coefficient, which is unknown.
 Series rate_of(const Series& a) {
   Series rate;
   for (std::size_t k = 0; k < Series::order; ++k) {
@@ -29,7 +29,7 @@ Series rate_of(const Series& a) {
   return rate;
 }
 
-/// The series that starts at a value and has a rate.
+/// The series with an initial value and a rate.
 Series integral(double start, const Series& rate) {
   Series result(start);
   for (std::size_t k = 1; k <= Series::order; ++k) {
@@ -41,7 +41,7 @@ Series integral(double start, const Series& rate) {
 }  // namespace
 
 Series pow(const Series& base, double exponent) {
-  // The base is divided by its value, so that its powers stay in range, whatever the unit is.
+  // The base is divided by its value, so that its powers remain in range in any unit.
   const double unit = base.value() == 0 ? 1 : base.value();
   Series part = base;
   for (double& coefficient : part.c) {

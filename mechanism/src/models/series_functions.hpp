@@ -1,5 +1,4 @@
-// Turns the functions that laws of drivers may contain into their Taylor coefficients along a
-// motion.
+// Taylor series of the functions that drivers' laws may contain.
 #pragma once
 
 #include "models/series.hpp"
@@ -8,7 +7,8 @@ namespace assur::mechanism::models {
 
 [[nodiscard]] Series operator/(const Series& a, const Series& b);
 [[nodiscard]] Series pow(const Series& base, double exponent);
-/// Where the exponent moves and the base is not positive, all but the value is unknown, NaN.
+/// If the exponent varies and the base is not positive, all coefficients except the value are
+/// unknown, NaN.
 [[nodiscard]] Series pow(const Series& base, const Series& exponent);
 [[nodiscard]] Series sqrt(const Series& a);
 [[nodiscard]] Series exp(const Series& a);
@@ -20,8 +20,8 @@ namespace assur::mechanism::models {
 [[nodiscard]] Series acos(const Series& a);
 [[nodiscard]] Series atan(const Series& a);
 [[nodiscard]] Series atan2(const Series& y, const Series& x);
-/// At a corner, where the values decide nothing, these are the series of the side where the
-/// argument of abs is positive, and of the first argument of min and max.
+/// At a corner the series are those of the side of positive arguments of abs, and of the first
+/// argument of min and max.
 [[nodiscard]] Series abs(const Series& a);
 [[nodiscard]] Series min(const Series& a, const Series& b);
 [[nodiscard]] Series max(const Series& a, const Series& b);
@@ -33,7 +33,7 @@ namespace assur::mechanism::models {
 [[nodiscard]] inline bool operator>(const Series& a, const Series& b) {
   return a.value() > b.value();
 }
-/// Whether the number stands for other values, too, as one with variable parameters does.
+/// Whether the number also represents other values, as a formula with variable parameters does.
 [[nodiscard]] inline bool may_change(const Series&) { return false; }
 
 }  // namespace assur::mechanism::models

@@ -15,9 +15,10 @@ using Vector2 = Eigen::Vector2d;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-/// A longer displacement counts as infinite, as it does in rigid groups.
+/// A longer displacement counts as infinite, as in rigid groups.
 constexpr double farthest_displacement = 0x1p24;
-/// Slides that reach a direction by less than this may have to go that far to close a gap along it.
+/// Along a direction that slides reach by less than this, closing a gap may need a displacement
+/// that long.
 constexpr double weak = 0x1p-20;
 
 /// The parts of the closures along some directions that slides do not reach: turning e + fixed.
@@ -34,7 +35,7 @@ struct UnreachedParts {
   return {c * e.x() - s * e.y(), s * e.x() + c * e.y()};
 }
 
-/// Turns a direction by Gauss-Newton steps to where the parts are least, near it.
+/// Turns a direction by Gauss-Newton steps to a nearby minimum of the parts.
 [[nodiscard]] Vector2 settled(const UnreachedParts& parts, Vector2 e) {
   constexpr int most_steps = 60;
   constexpr int most_halvings = 6;
@@ -60,8 +61,8 @@ struct UnreachedParts {
   return e;
 }
 
-/// The directions at which the parts may vanish, or are least. Where they vanish twice in one
-/// place, steps would end beside it, so that the places by formula come first.
+/// The directions at which the parts may vanish, or are least. If they have a double zero, steps
+/// would end beside it, so that the directions by formula come first.
 [[nodiscard]] std::vector<Vector2> likely_directions(const UnreachedParts& parts) {
   std::vector<Vector2> result;
   const Eigen::JacobiSVD<SmallMatrix> factors(parts.turning,
@@ -140,7 +141,7 @@ class TiedSearch {
     return reached.cwiseQuotient(factors_.singularValues().head(rank_)).norm();
   }
 
-  /// What rounding may leave of the closures with slides of this length.
+  /// The rounding error of the closures for slides of this length.
   [[nodiscard]] double rounding(double displacement) const {
     return 32 * epsilon * (1 + closures_.farthest + displacement) + 4 * closures_.displaced +
            4 * closures_.turned * (1 + displacement);

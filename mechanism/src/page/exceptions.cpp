@@ -1,4 +1,4 @@
-// Turns C++ exceptions into exceptions of WebAssembly, and finds the handlers that catch them.
+// C++ exceptions as exceptions of WebAssembly, and the search for their handlers.
 //
 // Debian's C++ library for WebAssembly is built without exceptions, so the functions of the Itanium
 // ABI that the compiler calls for them are defined here. They suffice for classes with at most one
@@ -13,7 +13,7 @@ extern "C" const char _ZTVN10__cxxabiv120__si_class_type_infoE[];
 
 namespace {
 
-/// What stands before an object that is thrown.
+/// The header of a thrown object.
 struct Thrown {
   const std::type_info* type;
   void* (*destroy)(void*);  ///< in WebAssembly destructors return their argument
@@ -29,7 +29,7 @@ Thrown* head_of(void* object) {
   return reinterpret_cast<Thrown*>(static_cast<std::byte*>(object) - offsetof(Thrown, object));
 }
 
-/// How the compiler lays out the name of a class that has one base.
+/// The layout of the type information of a class with one base.
 struct ClassWithOneBase {
   const char* functions;
   const char* name;
@@ -59,7 +59,7 @@ std::uint32_t unsigned_at(const std::uint8_t*& at) {
   }
 }
 
-/// The same, with a sign in the highest bit that is there.
+/// A signed number, in the same groups of bits.
 std::int32_t signed_at(const std::uint8_t*& at) {
   const std::uint8_t* const begin = at;
   const std::uint32_t value = unsigned_at(at);
@@ -72,8 +72,8 @@ std::int32_t signed_at(const std::uint8_t*& at) {
 
 extern "C" {
 
-/// Where a function that may catch writes which of its call sites has thrown, and reads the number
-/// of the handler to run: 0 for none.
+/// The record in which a function that may catch stores the throwing call site, and from which it
+/// reads the number of the handler to run: 0 for none.
 struct LandingPad {
   std::uint32_t place;
   const std::uint8_t* table;
@@ -128,8 +128,8 @@ void __cxa_end_catch() {
   __builtin_wasm_throw(0, caught->object);
 }
 
-/// Finds the handler of an exception in the table of the function that asks. The table holds how
-/// its types are encoded, the first of a chain of actions for each call site, the actions, and the
+/// Finds the handler of an exception in the table of the calling function. The table holds the
+/// encoding of its types, the first of a chain of actions for each call site, the actions, and the
 /// types.
 int _Unwind_CallPersonality(void* object) {
   constexpr std::uint8_t left_out = 0xFF;
@@ -138,14 +138,14 @@ int _Unwind_CallPersonality(void* object) {
   if (at == nullptr) {
     return 0;
   }
-  ++at;  // skips where the call sites are counted from: the start of the function
+  ++at;  // skips the start of the function, from which call sites are counted
   const std::uint8_t encoding = *at++;
   const std::type_info* const* types = nullptr;
   if (encoding != left_out) {
     const std::uint32_t away = unsigned_at(at);
     types = reinterpret_cast<const std::type_info* const*>(at + away);
   }
-  ++at;  // skips how the call sites are encoded: always as below
+  ++at;  // skips the encoding of the call sites, which is always as below
   const std::uint32_t length = unsigned_at(at);
   const std::uint8_t* const actions = at + length;
   std::uint32_t action = 0;
@@ -176,5 +176,5 @@ int _Unwind_CallPersonality(void* object) {
 }
 }
 
-/// The one kind of exception of WebAssembly that C++ throws; it carries the object's address.
+/// The only exception tag of WebAssembly that C++ throws; it carries the object's address.
 __asm__(".globl __cpp_exception\n.tagtype __cpp_exception i32\n__cpp_exception:\n");

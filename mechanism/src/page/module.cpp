@@ -1,4 +1,4 @@
-// Turns a scene and values of its parameters into the frames of a page, inside the page itself.
+// Solver of a page's scene inside the page: films for other values of its parameters.
 #include <assur/mechanism/scene_file.hpp>
 
 #include "draw/film_json.hpp"
@@ -7,21 +7,21 @@ namespace assur::mechanism::page {
 
 namespace {
 
-/// The most numbers of a film; more do not fit into the memory of a small computer.
+/// The most numbers of a film; more exceed the memory of a small computer.
 constexpr std::size_t most_numbers = 8'000'000;
 
-/// The page writes its question here.
+/// The page writes its query here.
 std::string question;
-/// The answer to the last question; the page reads it before it asks the next one.
+/// The answer to the last query; the page reads it before the next one.
 std::string answer;
 draw::Film film;
 
-/// Where numbers are, and how many.
+/// The address and count of numbers.
 draw::Json in_memory(const std::vector<double>& numbers) {
   return {reinterpret_cast<std::uintptr_t>(numbers.data()), numbers.size()};
 }
 
-/// Where the points of the scene's drawing are, at the film's values of the parameters.
+/// The points of the scene's drawing, at the film's values of the parameters.
 draw::Json drawn_places(const Scene& scene) {
   const auto value_of = [](ParameterIndex parameter) { return film.parameters[parameter.place()]; };
   draw::Json places = draw::Json::array();
@@ -49,16 +49,15 @@ draw::Json solved(const draw::Json& asked) {
 
 extern "C" {
 
-/// Makes room for a question of `bytes` bytes: JSON in UTF-8 with the `text` of a scene file and
-/// `settings` as `parse_scene` takes them, and with the pose that was `seen` last, if its branch is
-/// to be followed.
+/// Allocates a query of `bytes` bytes: JSON in UTF-8 with the `text` of a scene file and `settings`
+/// as `parse_scene` takes them, and with the last `seen` pose, if its branch is to be followed.
 [[clang::export_name("question")]] char* question_of(std::size_t bytes) {
   question.resize(bytes);
   return question.data();
 }
 
-/// Answers the question with a film as JSON, whose numbers are `[address, count]`, and returns
-/// true; or with a line that says why there is none.
+/// Answers the query with a film as JSON, whose numbers are `[address, count]`, and returns true;
+/// or with a line that gives the reason for failure.
 [[clang::export_name("solve")]] bool solve() {
   try {
     const draw::Json told = solved(draw::Json::parse(question));

@@ -85,7 +85,7 @@ class ClusterFinder {
     return links;
   }
 
-  /// All sets that result when a set gets one more link of the component that is joined to it.
+  /// All sets that result when a set is extended by an adjacent link of the component.
   [[nodiscard]] std::set<Links> grown(const std::set<Links>& sets) const {
     std::set<Links> result;
     for (const Links& set : sets) {
@@ -148,7 +148,7 @@ class ClusterFinder {
     }
   }
 
-  /// A block, which has no feature, is the last choice of a base.
+  /// A block, which has no feature, is the last choice for a base.
   [[nodiscard]] Rank rank_of(LinkIndex base, const Links& set) const {
     int joints = 0;
     bool is_block = false;
@@ -188,8 +188,8 @@ class ClusterFinder {
     return linkage;
   }
 
-  /// The cluster with the rest of the component, in which the base replaces the group's links,
-  /// which it carries.
+  /// The cluster and the rest of the component, in which the base takes over the joints of the
+  /// group's links.
   std::optional<Cluster> concluded() {
     linkage_ = std::move(best_->linkage);
     Cluster& cluster = best_->cluster;

@@ -14,18 +14,17 @@ struct Body;
 using BodyIndex = Index<Body>;
 struct Tie;
 using TieIndex = Index<Tie>;
-/// The place of a component in the order.
+/// The rank of a component in the order of solving.
 using RankIndex = Index<Component>;
 
-/// A set of links that drivers tie together, or the point of a pin of several links; it moves as
-/// one.
+/// A set of links that drivers connect, or the point of a pin of several links; it moves as one.
 struct Body {
   LinkIndex link;                 ///< the carrier; does not exist for a pin
   int freedoms;                   ///< three for a link, two for a point
   std::vector<TieIndex> matched;  ///< for each freedom that is taken, the tie that takes it
 };
 
-/// A joint or driver that ties one body to another, or to a placed link.
+/// A joint or driver between one body and another, or a placed link.
 struct Tie {
   BodyIndex body;
   BodyIndex other;  ///< does not exist for a placed link
@@ -39,8 +38,7 @@ struct Tie {
   }
 };
 
-/// Whether links that drivers tie together are one body, or each is one and the drivers constrain
-/// it.
+/// Whether links that drivers connect are one body, or separate bodies that the drivers constrain.
 enum class DrivenAs : unsigned char { one_body, bodies };
 
 class StructuralGraph {
@@ -58,8 +56,7 @@ class StructuralGraph {
     }
   }
 
-  /// Finds the parts that alternating paths reach from the freedoms, or the equations, that are
-  /// left over.
+  /// Finds the parts that alternating paths reach from unmatched freedoms or equations.
   void find_imbalances(Decomposition& result) const {
     std::set<BodyIndex> free;
     std::set<TieIndex> overloading;
@@ -181,8 +178,8 @@ class StructuralGraph {
     }
   }
 
-  /// Matches one equation of a tie with a freedom, moving other equations to other freedoms where
-  /// they are in the way. Each body is asked once in a round. Returns whether there was a freedom.
+  /// Matches one equation of a tie with a freedom, if necessary by matching other equations with
+  /// other freedoms. Each body is visited once in a round. Returns whether there was a freedom.
   [[nodiscard]] bool matched(TieIndex tie) {
     for (const BodyIndex body : {ties_[tie].body, ties_[tie].other}) {
       if (!body.exists() || asked_[body] == round_) {
@@ -211,7 +208,7 @@ class StructuralGraph {
     }
   }
 
-  /// Ranks the components: of those that depend on ranked ones only, the smallest goes next, and
+  /// Ranks the components: of those that depend on ranked ones only, the smallest is next, and
   /// among equal ones the one whose links' names come first. The order must not depend on the
   /// listing, since configurations may be numbered group by group.
   void rank_bodies(Decomposition& result) {
@@ -231,7 +228,7 @@ class StructuralGraph {
       }
     }
     const StrongComponents components(needs);
-    using Rank = std::pair<std::size_t, std::vector<std::string>>;  // how many links, their names
+    using Rank = std::pair<std::size_t, std::vector<std::string>>;  // number of links, their names
     Table<ComponentIndex, Rank> ranks(components.count());
     Table<ComponentIndex, std::set<ComponentIndex>> waits_for(components.count());
     Table<ComponentIndex, std::vector<ComponentIndex>> waited_by(components.count());
@@ -283,8 +280,8 @@ class StructuralGraph {
     }
   }
 
-  /// Finds the links that depend on themselves through what laws read, without those that only wait
-  /// for these.
+  /// Finds the links that depend on themselves through the laws of drivers, without those that
+  /// merely depend on these.
   void find_circle(Table<BodyIndex, std::vector<BodyIndex>> needs,
                    const Table<BodyIndex, std::vector<BodyIndex>>& read, Imbalance& coupled) const {
     for (const BodyIndex body : bodies_.keys()) {
@@ -368,7 +365,7 @@ class StructuralGraph {
   Table<LinkIndex, BodyIndex> body_of_link_;
   std::vector<BodyIndex> body_of_pin_;
   Table<TieIndex, Tie> ties_;
-  Table<BodyIndex, int> asked_;  ///< the round of matching in which a body was asked last
+  Table<BodyIndex, int> asked_;  ///< the last round of matching that visited each body
   int round_ = 0;
   Table<BodyIndex, RankIndex> rank_;  ///< of its component
   std::size_t rank_count_ = 0;

@@ -29,8 +29,8 @@ class OrderFinder {
     return mechanism_.numbers()[index];
   }
 
-  /// Lists the numbers that solving reads. The ends of a sweep are not among them, nor features
-  /// without a joint or an output.
+  /// Lists the numbers needed for solving, without the ends of a sweep and features without a joint
+  /// or an output.
   void list_numbers(const std::vector<FeatureIndex>& more) {
     Table<FeatureIndex, bool> used(mechanism_.features().size(), false);
     for (const FeatureIndex feature : more) {
@@ -124,7 +124,7 @@ EvaluationOrder evaluation_order(const Mechanism& mechanism, const Request& requ
 
 namespace {
 
-/// Whether a tolerance or an entry of the covariance is among the numbers that change.
+/// Whether a tolerance or an entry of the covariance is among the changed numbers.
 bool spread_depends(const Table<NumberIndex, bool>& changes, const PlanData& plan) {
   for (const Parameter& parameter : plan.mechanism.parameters()) {
     if (parameter.tolerance.exists() && changes[parameter.tolerance]) {
@@ -157,7 +157,7 @@ bool is_carried(const Structure& structure, const ElementaryJoint& at, const Has
   return any_between(at.first, at.holder_first) || any_between(at.second, at.holder_second);
 }
 
-/// The groups in which a carried link that has a property carries features of joints.
+/// The groups in which a carried link with a property carries features of joints.
 template <typename Has>
 std::vector<GroupIndex> groups_with_links(const Structure& structure, const Has& has) {
   std::vector<GroupIndex> result;
@@ -202,8 +202,8 @@ Dependents dependents_of(const std::vector<ParameterIndex>& changed, const PlanD
       result.parameters.push_back(parameter);
     }
   }
-  // A parameter that moves in time may change the rates of others, so everything that moves is
-  // computed again.
+  // A parameter that varies in time may change the rates of others, so all rates are computed
+  // again.
   const bool rates_change =
       std::ranges::any_of(
           changed, [&](ParameterIndex parameter) { return plan.evaluation.moves[parameter]; }) ||

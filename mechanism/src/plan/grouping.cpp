@@ -12,8 +12,8 @@ bool contains(const std::vector<Item>& items, const Item& item) {
   return std::find(items.begin(), items.end(), item) != items.end();
 }
 
-/// The linkage's joint for each joint of the group if `links` play the group's links in this order;
-/// empty if the graphs differ. External joints may lead to any placed link.
+/// The linkage's joint for each joint of the group, with `links` in the roles of the group's links
+/// in this order; empty if the graphs differ. External joints may lead to any placed link.
 std::vector<ElementaryJointIndex> matched_joints(const GroupStructure& group,
                                                  const Linkage& linkage,
                                                  const std::vector<LinkIndex>& links,

@@ -1,3 +1,4 @@
+// Pairs of features held by joints, including redundant ones.
 #include <algorithm>
 #include <assur/mechanism/held_pairs.hpp>
 #include <iterator>

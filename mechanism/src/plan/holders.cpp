@@ -1,4 +1,4 @@
-// Turns a group into the groups that hold it, and into the links that these place.
+// Groups that hold a group, and the links that these place.
 #include <algorithm>
 #include <assur/mechanism/structure.hpp>
 #include <set>
@@ -13,7 +13,7 @@ Table<LinkIndex, bool> placed_with(const Structure& structure,
   placed[structure.linkage.ground] = true;
   for (const GroupIndex group : groups) {
     if (structure.groups[group].base.exists()) {
-      continue;  // It places its links against its base.
+      continue;  // It places its links relative to its base.
     }
     for (const LinkIndex link : structure.groups[group].links) {
       placed[link] = true;

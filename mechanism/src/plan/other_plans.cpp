@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array left_out_at_most = {LeftOut::joints, LeftOut::doubles, LeftOut::constraints};
 
-/// The request for a part of a mechanism that lacks some joints.
+/// The request for a part of a mechanism without some joints.
 Request request_of_part(const Described& described, const Mechanism& part) {
   Request result = described.request;
   if (result.reported.joints) {

@@ -1,4 +1,4 @@
-// Turns a mechanism with too many constraints into plans without the excess ones.
+// Plans of an over-constrained mechanism without the excess constraints.
 #pragma once
 
 #include <assur/mechanism/error.hpp>
@@ -12,35 +12,35 @@
 
 namespace assur::mechanism::plan {
 
-/// A mechanism as it is described, with all its constraints, and what is wanted of it.
+/// A mechanism as described, with all its constraints, and the request for it.
 struct Described {
   Mechanism mechanism;
   Request request;
   OverConstrained excess;
 
-  /// The names of the joints that the request lists to be reported.
+  /// The names of the joints in the request's list of reported joints.
   [[nodiscard]] std::vector<std::string> reported_joints() const;
 };
 
 /// The plan of a mechanism with constraints left out. `mechanism` is that of the part, with its
-/// drivers possibly moved on.
+/// drivers possibly advanced.
 [[nodiscard]] PlanData reduced_plan(const Described& described, const BalancedMechanism& part,
                                     const Mechanism& mechanism);
 
-/// The ways to leave out what is too much, those with the smallest groups first. Joints that the
-/// request reports are kept where that can be.
+/// The choices of excess constraints to leave out, those with the smallest groups first. Joints
+/// that the request reports are kept if possible.
 [[nodiscard]] std::vector<BalancedMechanism> ways_to_balance(const Described& described);
 
 /// The plans of one mechanism that leave out other constraints than a given one does.
 class OtherPlans {
  public:
-  /// `redundant`: the joints that the given plan does without.
+  /// `redundant`: the joints that the given plan leaves out.
   OtherPlans(std::shared_ptr<const Described> described,
              const std::vector<RedundantJoint>& redundant);
 
-  /// Those that keep the joints that the given plan does without come first. Whether the
-  /// constraints that they leave out hold is not known. They are made at the first call, since few
-  /// mechanisms need them; any number of threads may call.
+  /// Plans that keep the joints left out of the given plan come first. Their own left-out
+  /// constraints need not hold. They are made on the first call, since few mechanisms need them;
+  /// any number of threads may call.
   [[nodiscard]] const std::vector<std::shared_ptr<const PlanData>>& all() const;
 
  private:

@@ -1,4 +1,4 @@
-// The parts of a mechanism that have too many constraints on their own.
+// Parts of a mechanism that are over-constrained by themselves.
 #include <algorithm>
 #include <map>
 
@@ -27,7 +27,7 @@ class Overloading {
   }
 
   [[nodiscard]] std::vector<Table<LinkIndex, bool>> run(const OverConstrained& fault) {
-    std::vector<LinkIndex> overloaded;  // for each joint, a link of the part that it belongs to
+    std::vector<LinkIndex> overloaded;  // for each joint, a link of the part to which it belongs
     std::vector<std::vector<LinkIndex>> held;
     for (const Joint& joint : mechanism_.joints()) {
       if (std::ranges::find(fault.joints, joint.name) == fault.joints.end()) {
@@ -78,8 +78,8 @@ class Overloading {
   [[nodiscard]] bool is_placed(LinkIndex link) const {
     return link == mechanism_.ground() || carrier_[link].exists();
   }
-  /// Records that a placed link carries another one by a driver. Returns whether that link was not
-  /// placed before.
+  /// Records that a placed link carries another one by a driver. Returns whether the latter was
+  /// unplaced before.
   bool carry(LinkIndex from, LinkIndex to) {
     const bool is_new = is_placed(from) && !is_placed(to);
     carrier_[to] = is_new ? from : carrier_[to];
@@ -105,7 +105,7 @@ class Overloading {
   }
 
   const Mechanism& mechanism_;
-  Table<LinkIndex, LinkIndex> carrier_;  ///< of a placed link: what a driver moves it against
+  Table<LinkIndex, LinkIndex> carrier_;  ///< of a placed link: the base of its driver
   Table<LinkIndex, LinkIndex> part_;     ///< of a link: another link of its part, or itself
 };
 
@@ -121,7 +121,7 @@ std::vector<Table<LinkIndex, bool>> overloaded_parts(const Mechanism& mechanism,
 
 std::vector<RedundantJoint> of_whole(const Mechanism& mechanism, const Table<LinkIndex, bool>& kept,
                                      std::vector<RedundantJoint> redundant) {
-  Table<FeatureIndex, FeatureIndex> features;  // by the index in the part, that in the whole
+  Table<FeatureIndex, FeatureIndex> features;  // the index in the whole, by that in the part
   for (const LinkIndex link : mechanism.links().keys()) {
     for (const FeatureIndex feature : mechanism.links()[link].features) {
       if (kept[link]) {

@@ -1,4 +1,4 @@
-// The structure of a mechanism: the order in which links are placed and groups are solved.
+// Structure of a mechanism: the order in which links are placed and groups are solved.
 #include <algorithm>
 #include <assur/mechanism/structure.hpp>
 #include <assur/text/names.hpp>
@@ -15,7 +15,8 @@ namespace assur::mechanism::plan {
 
 namespace {
 
-/// Places the ground and what it carries, then the groups in order, each with what its links carry.
+/// Places the ground and the links that it carries, then the groups in order, each with the links
+/// that its links carry.
 class PlacementPlanner {
  public:
   explicit PlacementPlanner(const Mechanism& mechanism) : mechanism_(mechanism) {
@@ -30,7 +31,7 @@ class PlacementPlanner {
   }
 
   FoundStructure run() {
-    (void)laws_in_order(mechanism_);  // what follows walks through laws that have an order
+    (void)laws_in_order(mechanism_);  // the following steps require an order of the laws
     if (!structure_.linkage.ground.exists()) {
       throw MechanismError("links",
                            "no link is named 'ground', so nothing holds the mechanism; give the "
@@ -52,8 +53,8 @@ class PlacementPlanner {
     return structure_.linkage.joints[index];
   }
 
-  /// Gives the same carrier to links that drivers tie together, which therefore move as one: the
-  /// ground if it is one of them.
+  /// Gives the same carrier to links that drivers connect, which therefore move as one: the ground
+  /// if it is one of them.
   void tie_driven_links() {
     for (const DriverIndex driver : mechanism_.drivers().keys()) {
       const Joint& named = mechanism_.joints()[mechanism_.drivers()[driver].joint];
@@ -81,8 +82,8 @@ class PlacementPlanner {
     carry_from(structure_.linkage.ground);
   }
 
-  /// The links at the joints that a law reads. For a driven joint it reads that joint's law, and no
-  /// link.
+  /// The links at the joints that a law reads. For a driven joint the law reads that joint's law,
+  /// and no link.
   [[nodiscard]] std::vector<LinkIndex> links_read_by(DriverIndex driver) const {
     std::vector<LinkIndex> links;
     for (const JointIndex read : joints_read(mechanism_, driver)) {
@@ -93,8 +94,8 @@ class PlacementPlanner {
     return links;
   }
 
-  /// Lists the links that drivers move against a link, and those that other drivers move against
-  /// these, and so on.
+  /// Lists the links that drivers move relative to a link, those that other drivers move relative
+  /// to these, and so on.
   void carry_from(LinkIndex from) {
     for (const DriverIndex driver : mechanism_.drivers().keys()) {
       const ElementaryJointIndex index = joint_of(driver);
@@ -178,12 +179,12 @@ class PlacementPlanner {
     structure_.groups.add(std::move(group));
   }
 
-  /// The links that the law behind a carried link reads.
+  /// The links that the law of a carried link's driver reads.
   [[nodiscard]] std::vector<LinkIndex> read_for(const CarriedLink& link) const {
     return link.joint.exists() ? bodies_.read[link.joint] : std::vector<LinkIndex>();
   }
 
-  /// Sorts carried links. A carried link can be placed when the link that carries it and the links
+  /// Sorts carried links. A carried link can be placed once the link that carries it and the links
   /// that its law reads are placed.
   void order_carried_links() {
     Table<LinkIndex, std::size_t> groups_before(structure_.linkage.links.size(), 0);
@@ -224,7 +225,7 @@ class PlacementPlanner {
     });
   }
 
-  /// Puts carried links behind those that carry them, and behind those that their laws read.
+  /// Puts carried links after those that carry them, and after those that their laws read.
   void put_carried_links_behind_what_they_read() {
     std::vector<CarriedLink> waiting = std::move(structure_.carried);
     structure_.carried.clear();
@@ -260,15 +261,15 @@ class PlacementPlanner {
               text::listed_as("joint", coupled.joints) + (is_one ? " reads" : " read") +
               " joints of the " + text::listed_as("link", coupled.links) +
               (is_one ? ", which this law moves" : ", which these laws move") +
-              ": the links can only be solved together, as a group that is not known here; let a "
+              ": the links can only be solved together, as a group that is not supported; let a "
               "law read joints that are placed before the links that it moves");
     }
   }
 
-  /// Chooses, among links that drivers tie together in a group, the one that carries the others:
-  /// the one with most of the group's joints, since dimensions between joints on one link stay
-  /// constant, and then the one whose name comes first. Moves the group's joints to these carriers
-  /// and returns them, ascending.
+  /// Selects, among links that drivers connect in a group, the one that carries the others: the one
+  /// with the most joints of the group, since dimensions between joints on one link stay constant,
+  /// and then the one whose name comes first. Moves the group's joints to these carriers and
+  /// returns them, ascending.
   std::vector<LinkIndex> carriers_of(const Component& component) {
     Table<LinkIndex, int> joints(bodies_.carrier.size(), 0);
     for (const ElementaryJointIndex index : component.joints) {
@@ -318,7 +319,7 @@ class PlacementPlanner {
                                       " links, which is not solved here: " + obstacle);
   }
 
-  /// Whether one of some joints joins links that drivers tie together, none of which is placed.
+  /// Whether one of some joints is between unplaced links that drivers connect.
   [[nodiscard]] bool is_within_tied(const std::vector<std::string>& joints) const {
     const auto is_tied = [this](FeatureIndex one, FeatureIndex other) {
       const LinkIndex carrier = bodies_.carrier[mechanism_.features()[one].link];
@@ -334,7 +335,7 @@ class PlacementPlanner {
     });
   }
 
-  /// Which joints are too many, and for which links.
+  /// The excess joints and their links, in words.
   [[nodiscard]] std::string told_excess(const Imbalance& over) const {
     const std::string ending = over.joints.size() == 1 ? "s" : "";
     std::string fault;
@@ -349,7 +350,7 @@ class PlacementPlanner {
            text::listed_as("joint", over.joints) + fault + "; take a joint or a driver away";
   }
 
-  /// Which links keep a freedom.
+  /// The links that keep a freedom, in words.
   [[nodiscard]] std::string lack_of(const Imbalance& under) const {
     return "under-constrained by " + std::to_string(under.surplus) + ": the " +
            text::listed_as("link", under.links) + " can still move; drive one of " +
@@ -357,7 +358,7 @@ class PlacementPlanner {
            undrawn_among(under.links);
   }
 
-  /// In a drawing, points pin the links that list them: the first link for which none does so.
+  /// The first link of a drawing that no listed point pins.
   [[nodiscard]] std::string undrawn_among(const std::vector<std::string>& names) const {
     const auto& links = mechanism_.links();
     const auto is_undrawn = [&](const std::string& name) {

@@ -1,5 +1,4 @@
-// Turns a mechanism and a request into the orders of placement and evaluation that all solving
-// shares.
+// Data of a plan: the orders of placement and evaluation, shared by all solving.
 #pragma once
 
 #include <assur/mechanism/request.hpp>
@@ -17,17 +16,17 @@ class OtherPlans;
 
 namespace assur::mechanism {
 
-/// What is planned once: the mechanism, what is wanted of it, the order of its links and formulas.
+/// The result of planning: the mechanism, the request, and the order of its links and formulas.
 struct PlanData {
   Mechanism mechanism;
   Request request;
   Structure structure;
   plan::EvaluationOrder evaluation;
   NamedParts named_parts;
-  /// Joints that hold beside those of the structure, and the error to report where they do not.
+  /// Joints that must hold beside those of the structure, and the error to report if they do not.
   std::vector<RedundantJoint> redundant;
   std::optional<OverConstrained> excess;
-  /// The plans that leave out others in place of these; null where these are the only ones tried.
+  /// The plans with other choices of left-out joints; null if there are none to try.
   std::shared_ptr<const plan::OtherPlans> others;
 };
 
@@ -35,9 +34,8 @@ struct PlanData {
 
 namespace assur::mechanism::plan {
 
-/// The plan of a mechanism with a structure. `more` are features that are evaluated beside those
-/// that the structure and the request read. Throws MechanismError where formulas go round in a
-/// circle.
+/// The plan of a mechanism with a structure. `more` are features to evaluate beside those of the
+/// structure and the request. Throws MechanismError if formulas depend on one another in a cycle.
 [[nodiscard]] PlanData plan_of(const Mechanism& mechanism, const Request& request,
                                Structure structure, const std::vector<FeatureIndex>& more = {});
 

@@ -8,8 +8,7 @@ namespace assur::mechanism::plan {
 
 namespace {
 
-/// The values of the parameters. A parameter that reads itself, directly or through others, is not
-/// a number.
+/// The values of the parameters; NaN for a parameter that reads itself, directly or through others.
 Table<ParameterIndex, double> values_of_parameters(const Mechanism& mechanism) {
   Table<ParameterIndex, double> values(mechanism.parameters().size(),
                                        std::numeric_limits<double>::quiet_NaN());

@@ -1,4 +1,4 @@
-// Turns the numbers of a mechanism into which points of a link lie in one place.
+// Points of a link that coincide, by the numbers of the mechanism.
 #pragma once
 
 #include <array>
@@ -7,14 +7,13 @@
 namespace assur::mechanism::plan {
 
 /// The places of points in the frames of their links, computed from the mechanism's own numbers. A
-/// point whose numbers cannot be computed, as when parameters read one another, has no place and
-/// coincides with no other point.
+/// point whose numbers cannot be computed, for example because parameters read one another, has no
+/// place and coincides with no other point.
 class PointPlaces {
  public:
   explicit PointPlaces(const Mechanism& mechanism);
 
-  /// Whether two points of one link are apart by rounding at most, so that no line leads from one
-  /// to the other.
+  /// Whether two points of one link are apart by rounding at most, so that they define no line.
   [[nodiscard]] bool coincide(FeatureIndex one, FeatureIndex other) const;
 
  private:

@@ -11,29 +11,29 @@ namespace assur::mechanism::plan {
 
 namespace {
 
-/// The largest number of ways to leave out the last constraint. Each is solved to see whether the
-/// constraints that are left out hold.
+/// The largest number of choices for the last constraint to leave out. Each is solved to test
+/// whether the left-out constraints hold.
 constexpr std::size_t most_ways = 32;
 
-/// The largest number of sets of left-out constraints for which a further one is sought: a
-/// mechanism may have thousands of such sets.
+/// The largest number of rounds in search of further sets of left-out constraints: a mechanism may
+/// have thousands of such sets.
 constexpr int most_rounds = 100;
 
-/// A mechanism with one or two constraints less. It has either a structure or fewer constraints too
-/// many than before.
+/// A mechanism with one or two constraints less. It has either a structure or a smaller excess of
+/// constraints.
 struct RelaxedMechanism {
   RedundantJoint redundant;
-  std::string from = {};   ///< the joint towards which the slot that stands in leads
+  std::string from = {};   ///< the joint towards which the replacing slot leads
   std::size_t points = 0;  ///< number of points to which that slot could lead
   Mechanism mechanism = Mechanism();
   std::optional<Structure> structure = {};
   std::optional<OverConstrained> fault = {};
-  std::string link = {};    ///< the link with the feature at which something is left out
-  bool loses_kept = false;  ///< whether the joint is one that should be kept
+  std::string link = {};    ///< the link with the feature at which a constraint is left out
+  bool loses_kept = false;  ///< whether the joint is one to keep
 
   [[nodiscard]] int surplus() const { return fault ? fault->surplus : 0; }
-  /// It comes before those of a larger rank. Slots on bars come early: a slot on a bar leaves
-  /// out the bar's length alone, whatever the bar's direction is. A slot on a link with more joints
+  /// A step precedes those of a larger rank. Slots on bars come early: a slot on a bar leaves out
+  /// the bar's length alone, whatever the bar's direction is. A slot on a link with more joints
   /// leaves out no single length.
   using Rank =
       std::tuple<int, bool, std::size_t, std::string, std::size_t, std::string, std::string>;
@@ -44,7 +44,7 @@ struct RelaxedMechanism {
   }
 };
 
-/// The mechanism with a stand-in for a joint, or without the joint if it has none.
+/// The mechanism with a joint replaced, or without the joint if it has no replacement.
 Mechanism relaxed(const Mechanism& mechanism, const RedundantJoint& redundant) {
   const JointIndex joint = index_of(mechanism.joints(), redundant.name);
   return !redundant.stand_in.exists() ? mechanism.without(joint, redundant.other)
@@ -55,7 +55,7 @@ Mechanism relaxed(const Mechanism& mechanism, const RedundantJoint& redundant) {
 
 class Balancer {
  public:
-  /// `described` is the number of features that were described; the further ones are stand-ins.
+  /// `described` is the number of described features; the further ones belong to replacements.
   Balancer(const Mechanism& mechanism, std::size_t described, const PointPlaces& places,
            LeftOut most, const std::vector<std::string>& kept)
       : mechanism_(mechanism), described_(described), places_(places), most_(most), kept_(kept) {}
@@ -129,8 +129,8 @@ class Balancer {
     }
   }
 
-  /// The other points of a feature's link at which joints are, and the names of these. No slot
-  /// leads to a point in the same place.
+  /// The other points of a feature's link at which joints are, and the names of these joints. A
+  /// slot to a point at the same place is excluded.
   [[nodiscard]] std::vector<std::pair<FeatureIndex, std::string>> points_of(
       FeatureIndex feature) const {
     std::vector<std::pair<FeatureIndex, std::string>> points;
@@ -148,7 +148,7 @@ class Balancer {
   }
 
   /// Lists a step after which the mechanism has `less` constraints less. If its surplus does not
-  /// decrease by `less`, the step has set links free elsewhere and is not listed.
+  /// decrease by `less`, the step has freed other links and is not listed.
   void consider(RelaxedMechanism step, int less) {
     step.mechanism = relaxed(mechanism_, step.redundant);
     FoundStructure found = found_structure(step.mechanism);
@@ -176,15 +176,15 @@ class Balancer {
   std::vector<RelaxedMechanism> steps_;
 };
 
-/// Searches depth first for the constraints to leave out one after another. The best step is tried
-/// first, and the next one only if no way leads on from there.
+/// Depth-first search for constraints to leave out one after another. The best step is tried first,
+/// and the next one only if the first leads nowhere.
 class BalanceSearch {
  public:
   BalanceSearch(const Mechanism& mechanism, LeftOut most, const std::vector<std::string>& kept)
       : described_(mechanism.features().size()), places_(mechanism), most_(most), kept_(kept) {}
 
-  /// Returns the ways to leave out the excess constraints that a mechanism still has. Others may
-  /// have been left out of it already.
+  /// Returns the choices of excess constraints to leave out of a mechanism, from which others may
+  /// have been left out already.
   [[nodiscard]] std::vector<BalancedMechanism> balanced(const Mechanism& mechanism,
                                                         const OverConstrained& fault) {
     std::vector<BalancedMechanism> result;

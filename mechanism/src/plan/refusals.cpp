@@ -9,7 +9,7 @@ namespace assur::mechanism::plan {
 
 namespace {
 
-/// The error for a mechanism with too many constraints; `without` says what it does without them.
+/// The error for an over-constrained mechanism; `without` says how it behaves without the excess.
 OverConstrained refused(const PlanData& plan, const std::string& without) {
   std::vector<std::string> names;
   for (const RedundantJoint& joint : plan.redundant) {
@@ -65,11 +65,12 @@ OverConstrained refusal_without_groups(const Mechanism& mechanism, const OverCon
   }
   return {"",
           std::string(excess.what()) + "; no " + constraints +
-              " found without which the links form groups that are known, so that it was not "
-              "checked whether they hold" +
+              " found whose removal leaves supported groups, so it is unknown whether the excess "
+              "constraints hold" +
               (read.empty() ? ""
                             : "; " + text::listed(read) +
-                                  " cannot be left out, because laws or loads read where it is"),
+                                  " cannot be left out, because laws or "
+                                  "loads read the coordinate"),
           excess.surplus, excess.joints};
 }
 

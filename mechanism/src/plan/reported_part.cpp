@@ -1,4 +1,4 @@
-// The part of a mechanism on which depends what is reported of it.
+// Part of a mechanism on which its reported parts depend.
 #include <algorithm>
 
 #include "driver_laws.hpp"
@@ -27,7 +27,7 @@ class PartFinder {
       needed_[angle.link] = needed_[angle.link] || !request.drawn;
     }
     for (const Joint& joint : mechanism.joints()) {
-      if (joint.lowest.exists()) {  // its limits may rule out configurations of reported parts
+      if (joint.lowest.exists()) {  // its limits may exclude configurations of reported parts
         for (const FeatureIndex feature : joint.between) {
           needed_[mechanism.features()[feature].link] = true;
         }
@@ -50,7 +50,7 @@ class PartFinder {
     }
   }
 
-  /// The links that are needed. Links that hold another one are placed before it, so one pass
+  /// The necessary links. Links that hold another one are placed before it, so that one pass
   /// backwards finds them all.
   [[nodiscard]] Table<LinkIndex, bool> run() {
     for (std::size_t place = structure_.groups.size(); place-- > 0;) {
@@ -94,7 +94,7 @@ class PartFinder {
     }
   }
 
-  /// Adds the links that move needed ones: those that carry them, and those that the laws of
+  /// Adds the links that move necessary ones: those that carry them, and those that the laws of
   /// drivers read.
   void need_carriers() {
     // NOLINTNEXTLINE(modernize-loop-convert): clang 14 cannot read the reversed views of libstdc++

@@ -1,4 +1,4 @@
-// Turns a relation of what needs what into its strongly connected components.
+// Strongly connected components of a dependency relation.
 #pragma once
 
 #include <algorithm>
@@ -9,11 +9,11 @@ namespace assur::mechanism::plan {
 
 using ComponentIndex = text::Index<struct StrongComponent>;
 
-/// The strongly connected components of vertices that need one another (Tarjan).
+/// The strongly connected components of vertices that depend on one another (Tarjan).
 template <typename VertexIndex>
 class StrongComponents {
  public:
-  /// `needs` lists for each vertex those that it needs. It must outlive the constructor only.
+  /// `needs` lists for each vertex those on which it depends. It must outlive the constructor only.
   explicit StrongComponents(const text::Table<VertexIndex, std::vector<VertexIndex>>& needs)
       : needs_(needs),
         order_(needs.size(), -1),

@@ -1,3 +1,4 @@
+// Linkage of elementary joints of a mechanism, and properties of its structure.
 #include <algorithm>
 #include <assur/mechanism/structure.hpp>
 #include <utility>
@@ -14,8 +15,8 @@ struct PinInSlot {
   ElementaryJointIndex slide;
 };
 
-/// Whether two features of one link are written alike, so that they coincide whatever the
-/// parameters are.
+/// Whether two features of one link have the same formulas, so that they coincide for all
+/// parameters.
 bool are_written_alike(const Mechanism& mechanism, FeatureIndex one, FeatureIndex other) {
   const Feature& first = mechanism.features()[one];
   const Feature& second = mechanism.features()[other];
@@ -28,7 +29,7 @@ bool are_written_alike(const Mechanism& mechanism, FeatureIndex one, FeatureInde
                                               are_alike(first.along_y, second.along_y))));
 }
 
-/// Lets the block of every second pin of a link in a slot slide along the first one's block. The
+/// Makes the block of every second pin of a link in a slot slide along the first one's block. The
 /// first pin is one that a driver moves, and then the one whose joint's name comes first.
 void pair_pins(const Mechanism& mechanism, std::vector<PinInSlot> slots, Linkage& linkage) {
   const auto is_driven = [&](const PinInSlot& slot) {

@@ -9,7 +9,7 @@ namespace assur::mechanism::plan {
 
 namespace {
 
-/// Throws MechanismError where a reported part does not exist, is listed twice, or is a joint that
+/// Throws MechanismError if a reported part does not exist, is listed twice, or is a joint that
 /// does not slide.
 void expect_reported(const Mechanism& mechanism, const Reported& reported) {
   const auto expect = [](const auto& list, const auto& parts, const std::string& part) {

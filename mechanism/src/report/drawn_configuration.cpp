@@ -12,7 +12,7 @@ std::optional<DrawnConfiguration> drawn_configuration(const Report& report) {
   std::optional<Nearest> found;
   if (!report.alone) {
     found = plan.nearest(report.values, report.solution);
-  } else if (is_listed) {  // the solution has one configuration, and not its number
+  } else if (is_listed) {  // the solution has one configuration, without its number
     plan.solve(report.values, others);
     found = plan.nearest(report.values, others);
   } else {

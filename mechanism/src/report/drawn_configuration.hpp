@@ -1,4 +1,4 @@
-// Turns a solution into the one of its configurations that is nearest to the drawing.
+// Configuration of a solution that is nearest to the drawing of its scene.
 #pragma once
 
 #include <assur/mechanism/report.hpp>
@@ -12,7 +12,7 @@ struct DrawnConfiguration {
   bool is_numbered;  ///< whether its number among all configurations is known
 };
 
-/// Nothing for a scene without a drawing, and where there is no configuration.
+/// Nothing for a scene without a drawing, or without a configuration.
 [[nodiscard]] std::optional<DrawnConfiguration> drawn_configuration(const Report& report);
 
 }  // namespace assur::mechanism::report

@@ -12,14 +12,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A vector that is not known is null as a whole.
+/// A vector with an unknown component is null as a whole.
 Json vector_json(const Eigen::Vector2d& vector) {
   return vector.allFinite() ? Json{vector.x() + 0.0, vector.y() + 0.0} : Json();
 }
 
 Json number_json(double number) { return std::isfinite(number) ? Json(number + 0.0) : Json(); }
 
-/// What a joint transmits: a force, or one on each link of a pin of more than two; and a couple.
+/// The force that a joint transmits, or one on each link of a pin of more than two; and the couple.
 Json joint_json(const JointForce& force, const Mechanism& mechanism) {
   Json entry;
   if (force.on.size() > 2) {
@@ -35,7 +35,8 @@ Json joint_json(const JointForce& force, const Mechanism& mechanism) {
   return entry;
 }
 
-/// Derivatives by each parameter, worst case and rss of forces; nothing where they are not wanted.
+/// Derivatives with respect to each parameter, worst case and rss of forces; nothing if they are
+/// not requested.
 struct Deviations {
   std::vector<std::pair<std::string, Forces>> sensitivities;
   Forces worst_case, rss;
@@ -52,7 +53,7 @@ struct Deviations {
     }
   }
 
-  /// Adds them for a part of the forces, which `told` gives.
+  /// Adds them for a part of the forces, which `told` selects.
   template <typename Told>
   void add(const Told& told, Json& entry) const {
     if (sensitivities.empty()) {

@@ -1,4 +1,4 @@
-// Turns the forces and coefficients of a configuration into entries of its JSON object.
+// Forces and coefficients of a configuration as JSON.
 #pragma once
 
 #include <assur/mechanism/report.hpp>
@@ -6,7 +6,7 @@
 
 namespace assur::mechanism::report {
 
-/// Adds the wanted forces, dynamics and coefficients of a configuration to the entry that has its
+/// Adds the requested forces, dynamics and coefficients of a configuration to the entry of its
 /// links, joints and outputs.
 void add_forces(const Report& report, const Configuration& configuration,
                 nlohmann::ordered_json& entry);

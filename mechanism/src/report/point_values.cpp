@@ -1,3 +1,4 @@
+// Worst case, root sum square, spread and path acceleration of a point.
 #include <assur/mechanism/point_values.hpp>
 #include <cmath>
 #include <limits>
@@ -14,7 +15,7 @@ void expect_derivatives(const Point& point, const Spread& spread) {
   }
 }
 
-/// The deviations by the tolerances; a derivative may be unknown where there is none.
+/// The deviations due to the tolerances; a derivative may be unknown if its tolerance is zero.
 Eigen::Matrix2Xd by_tolerances(const Point& point, const Spread& spread) {
   Eigen::Matrix2Xd result = point.follows.first * spread.tolerances.asDiagonal();
   for (Eigen::Index column = 0; column < result.cols(); ++column) {

@@ -1,4 +1,4 @@
-// Turns solutions and sweeps into the lines of a CSV table.
+// Reports of solutions and sweeps as lines of CSV.
 #include <array>
 #include <assur/mechanism/force_columns.hpp>
 #include <assur/mechanism/point_values.hpp>
@@ -24,7 +24,8 @@ std::string csv_cell(const std::string& text) {
   return quoted + "\"";
 }
 
-/// Adds a cell of 17 significant digits, with a comma ahead; an empty one if it is not finite.
+/// Adds a cell of 17 significant digits, preceded by a comma; an empty one for a number that is not
+/// finite.
 void add_number(double number, std::string& row) {
   if (!std::isfinite(number)) {
     row += ',';
@@ -53,8 +54,8 @@ std::vector<double> angles_of_links(const Plan& plan, const Configuration& confi
   return angles;
 }
 
-/// Adds the cells of a configuration, each with a comma ahead. `angles` are those of the reported
-/// links, and `forces` the numbers of the columns of forces.
+/// Adds the cells of a configuration, each preceded by a comma. `angles` are those of the reported
+/// links, and `forces` the numbers of the force columns.
 void add_cells(const Plan& plan, const Spread& spread, const Configuration& configuration,
                const std::vector<double>& angles, const std::vector<double>& forces,
                std::string& row) {
@@ -105,8 +106,8 @@ void add_cells(const Plan& plan, const Spread& spread, const Configuration& conf
   add_number(configuration.residual, row);
 }
 
-/// The numbers of forces of a configuration, and their deviations by tolerances; unknown rates make
-/// those unknown that inertia loads.
+/// The numbers of a configuration's forces, and their deviations due to tolerances; unknown rates
+/// make the forces unknown that depend on inertia.
 std::vector<double> told_forces(const Plan& plan, const Values& values,
                                 const Configuration& configuration) {
   if (!plan.request().want.forces) {
@@ -119,7 +120,7 @@ std::vector<double> told_forces(const Plan& plan, const Values& values,
   return numbers;
 }
 
-/// The same at a row of a sweep. The forces at an event are between two steps, and not told.
+/// The same for a row of a sweep. An event lies between two steps; its forces are not reported.
 std::vector<double> told_forces(const Plan& plan, const SweepRecord& record) {
   if (record.event.empty() && plan.request().want.forces) {
     const Mechanism& mechanism = plan.mechanism();
@@ -221,7 +222,16 @@ void SweepRows::add(const SweepRecord& record, std::string& text) {
   report::add_number(record.parameter, text);
   report::add_cells(plan_, *record.spread, *record.state, angles,
                     report::told_forces(plan_, record), text);
-  text += "," + number(circuits_.of(record.branch)) + "," + record.event + "\n";
+  text += ",," + record.event + "\n";
+}
+
+void SweepRows::set_circuit(const Circuits& circuits, std::string& row) {
+  const std::size_t branch_cell = row.find(',', row.find(',') + 1) + 1;
+  int branch = 0;  // stays so where the cell is empty
+  (void)std::from_chars(row.data() + branch_cell, row.data() + row.size(), branch);
+  if (const int circuit = circuits.of(branch); circuit > 0) {
+    row.insert(row.rfind(','), std::to_string(circuit));
+  }
 }
 
 void SweepRows::unwrap(int branch, std::vector<double>& angles) {

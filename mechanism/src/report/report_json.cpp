@@ -1,4 +1,4 @@
-// Turns a solution into the JSON object of the scene format.
+// Report of a solution as the JSON object of the scene format.
 #include <algorithm>
 #include <assur/mechanism/point_values.hpp>
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The library writes null for what is not a number.
+// The library writes null for NaN and infinity.
 template <typename Vector>
 Json list_of(const Vector& vector) {
   Json list = Json::array();
@@ -116,7 +116,7 @@ Json groups_json(const Structure& structure) {
   return list;
 }
 
-/// The wanted results of a configuration's links, joints and outputs.
+/// The requested results of a configuration's links, joints and outputs.
 Json parts_json(const Configuration& configuration, const Report& report, const Want& want) {
   const Mechanism& mechanism = report.plan.mechanism();
   Json entry;
@@ -163,7 +163,7 @@ Json configuration_json(const Configuration& configuration, const Report& report
   return entry;
 }
 
-/// How near one configuration is; its number is null where it is not known.
+/// The distance of one configuration; its number is null if it is unknown.
 Json nearest_json(const Nearest& nearest, bool is_numbered) {
   return {{"configuration", is_numbered ? Json(nearest.configuration + 1) : Json()},
           {"distance", nearest.distance},

@@ -1,4 +1,4 @@
-// Turns a solution into tables for people.
+// Report of a solution as tables for people.
 #include <algorithm>
 #include <array>
 #include <assur/mechanism/force_columns.hpp>
@@ -21,7 +21,7 @@ constexpr double rounding = 1e-14;
 /// One row of a table: a name, on a line of its own if it is longer than its column, then numbers
 /// with ten significant digits.
 std::string table_row(const std::string& name, const std::vector<double>& numbers) {
-  // Bytes that continue a letter of UTF-8 take no column.
+  // Continuation bytes of UTF-8 take no column.
   const auto letters = static_cast<std::size_t>(
       std::count_if(name.begin(), name.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
   std::string row = "    " + name;
@@ -32,7 +32,7 @@ std::string table_row(const std::string& name, const std::vector<double>& number
       row += std::string(17, ' ') + '-';
       continue;
     }
-    // A zero that carries a sign would print as -0.
+    // Negative zero would print as -0.
     (void)std::snprintf(text.data(), text.size(), " %17.10g", number == 0 ? 0.0 : number);
     row += text.data();
   }
@@ -71,7 +71,7 @@ Eigen::Vector3d in_degrees(const Pose<double>& pose) {
   return {pose.x, pose.y, angle_of(pose.direction) * 180 / std::numbers::pi};
 }
 
-/// The sizes of all that a configuration places, reported or not.
+/// The sizes of all links and outputs of a configuration, reported or not.
 struct Sizes {
   Sizes(const Configuration& configuration, const Spread& spread)
       : derivatives(static_cast<std::size_t>(spread.tolerances.size())) {
@@ -80,7 +80,7 @@ struct Sizes {
       positions.cover(in_degrees(frame.pose));
       velocities.cover(frame.velocity);
       accelerations.cover(frame.acceleration);
-      // An angular acceleration that cancels is a rounding of the squares of angular velocities.
+      // An angular acceleration that cancels has the rounding of squared angular velocities.
       accelerations.cover(Eigen::Vector3d(0, 0, frame.velocity.z() * frame.velocity.z()));
     }
     for (const OutputIndex output : configuration.outputs.keys()) {
@@ -107,8 +107,8 @@ struct Sizes {
   Size positions{0, 180};
   Size velocities;
   Size accelerations;
-  std::vector<Size> derivatives;  ///< by each parameter
-  Size tolerances;                ///< of the deviations by tolerances
+  std::vector<Size> derivatives;  ///< with respect to each parameter
+  Size tolerances;                ///< of the deviations due to tolerances
 };
 
 std::string table_head(const std::vector<std::string>& titles) {
@@ -156,7 +156,7 @@ std::string point_text(const Point& point, const Sizes& sizes, const Report& rep
   return text;
 }
 
-/// The tables of a configuration's wanted results.
+/// The tables of a configuration's requested results.
 std::string tables_text(const Configuration& configuration, const Report& report,
                         const Want& want) {
   const Mechanism& mechanism = report.plan.mechanism();
@@ -200,8 +200,8 @@ std::string tables_text(const Configuration& configuration, const Report& report
   return text;
 }
 
-/// The numbers of forces, with those within the rounding of the largest one of their kind printed
-/// as zero. A couple is as uncertain as the largest force at the largest distance.
+/// The numbers of forces; those within the rounding of the largest one of their kind are zero. A
+/// couple is as uncertain as the largest force at the largest distance.
 std::vector<double> shown_forces(const std::vector<ForceColumn>& columns,
                                  std::vector<double> numbers, double distance) {
   double force = 0;
@@ -220,7 +220,7 @@ std::vector<double> shown_forces(const std::vector<ForceColumn>& columns,
   return numbers;
 }
 
-/// The table of wanted forces, one number a row, under the names of the columns of CSV; with
+/// The table of requested forces, one number a row, under the names of the columns of CSV; with
 /// sensitivities, a table of deviations, and one for each parameter.
 std::string forces_text(const Configuration& configuration, const Report& report) {
   const Plan& plan = report.plan;
@@ -285,7 +285,7 @@ std::string degrees_text(double angle) {
   return digits.data();
 }
 
-/// The branch and the circuit of a configuration, where they were asked for.
+/// The branch and the circuit of a configuration, if they were requested.
 std::string place_text(const Report& report, std::size_t configuration) {
   const std::optional<PlaceInSweep> place = place_in_sweep(report, configuration);
   if (!place) {
@@ -296,12 +296,12 @@ std::string place_text(const Report& report, std::size_t configuration) {
                                   std::to_string(place->circuit);
 }
 
-/// Which configuration it is, where the number is known.
+/// The number of the nearest configuration, if it is known.
 std::string which_text(const Nearest& nearest, bool is_numbered) {
   return is_numbered ? "configuration " + std::to_string(nearest.configuration + 1) + ", " : "one ";
 }
 
-/// Which configuration is the drawn one, and which pin is drawn beside its slot.
+/// The number of the drawn configuration, and the pin that is drawn beside its slot.
 std::string drawn_text(const Report& report) {
   std::string text;
   if (const std::optional<DrawnConfiguration> drawn = drawn_configuration(report)) {
@@ -319,7 +319,7 @@ std::string drawn_text(const Report& report) {
   return text;
 }
 
-/// A line for each group that is enclosed, or is not.
+/// A line for each group, on the enclosure of its configuration.
 std::string proofs_text(const Table<GroupIndex, GroupProof>& proofs) {
   std::string text;
   for (const GroupIndex group : proofs.keys()) {

@@ -1,4 +1,4 @@
-// Turns the states of a solution into the words that every report uses.
+// Words for the states of a solution, common to all reports.
 #pragma once
 
 #include <assur/mechanism/report.hpp>
@@ -29,12 +29,12 @@ namespace assur::mechanism::report {
                                                         : solution.reason;
 }
 
-/// Why configurations may be missing from the answer; empty where none can be.
+/// Why configurations may be missing from the answer; empty if none can be.
 [[nodiscard]] inline std::string incomplete_text(const Report& report) {
   return report.alone ? "one configuration alone was sought" : report.solution.incomplete;
 }
 
-/// The configuration nearest to the limits of joints, where all are left out.
+/// The configuration nearest to the limits of joints, if all are beyond them.
 [[nodiscard]] inline std::optional<NearestToLimits> nearest_to_limits(const Report& report) {
   const Solution& solution = report.solution;
   return solution.status == SolutionStatus::no_assembly && solution.left_out.value_or(0) > 0
@@ -46,11 +46,11 @@ namespace assur::mechanism::report {
   return regularity == Status::ok ? "regular" : "near-singular";
 }
 
-/// Where a configuration is in the sweep: its branch and its circuit, 0 where one is not known.
+/// The place of a configuration in the sweep: its branch and its circuit, 0 if unknown.
 struct PlaceInSweep {
   int branch, circuit;
 };
-/// The place of a configuration of the solution; nothing where it was not asked for.
+/// The place of a configuration of the solution; nothing if it was not requested.
 [[nodiscard]] inline std::optional<PlaceInSweep> place_in_sweep(const Report& report,
                                                                 std::size_t configuration) {
   if (!report.places) {
@@ -61,7 +61,7 @@ struct PlaceInSweep {
   return PlaceInSweep{branch, report.places->circuits.of(branch)};
 }
 
-/// The wanted results in which the branches through one configuration differ: rates.
+/// The requested results in which the branches through one configuration differ: rates.
 [[nodiscard]] inline Want rates_alone(const Want& want) {
   return {false, want.velocity, want.acceleration, false};
 }

@@ -1,3 +1,4 @@
+// Selection of the reported parts and known numbers of a configuration.
 #include <algorithm>
 #include <assur/mechanism/followed_parts.hpp>
 #include <assur/mechanism/reported_parts.hpp>

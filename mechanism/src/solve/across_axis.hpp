@@ -1,4 +1,4 @@
-// Turns a point that moves across the held axis of its link into the motion of the link's group.
+// Motion of a group due to a point that moves across the held axis of its link.
 #pragma once
 
 #include <vector>
@@ -8,15 +8,15 @@
 
 namespace assur::mechanism::solve {
 
-/// How a group follows a point across an axis: the unknowns, and the poses at fixed unknowns.
+/// Derivatives with respect to a point's coordinate across an axis: of the unknowns, and of the
+/// poses at fixed unknowns.
 struct AcrossColumns {
   models::SmallVector q, p;
 };
 
-/// Closures and poses are linear in the coordinates of a link that has points alone, rotated by the
-/// link's direction. A coordinate across the axis is therefore one along the axis of the link
-/// turned by a right angle: the derivatives with respect to it are those with respect to the
-/// dimension along the axis there.
+/// In the coordinates of a link that has points alone, rotated by the link's direction, closures
+/// and poses are linear. A coordinate across the axis is therefore one along the axis of the link
+/// turned by a right angle, and has the derivatives of the dimension along that axis.
 [[nodiscard]] AcrossColumns across_columns(const GroupModel& model, const models::FlatVariables& d,
                                            const models::FlatVariables& u,
                                            const models::FlatVariables& q,

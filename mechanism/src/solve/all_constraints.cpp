@@ -21,8 +21,8 @@ Table<LinkIndex, Pose<double>> poses_of(const Table<LinkIndex, Frame>& links) {
 
 namespace {
 
-/// The same constraints of a pin of several links, as pairs with the link that is placed first, so
-/// that the rows of a group hold its unknowns and those of groups before it only.
+/// Replaces the pairs of a pin of several links by pairs with the link that is placed first, so
+/// that the rows of a group hold its unknowns and those of earlier groups only.
 void pair_with_first_placed(const Mechanism& mechanism,
                             const Table<LinkIndex, std::size_t>& groups_before,
                             std::vector<HeldPair>& pairs) {
@@ -95,7 +95,7 @@ AllConstraints::Body::Pairs AllConstraints::held() const {
 
 AllConstraints::Body AllConstraints::of_loose(const Table<LinkIndex, bool>& is_placed,
                                               const Poses& links) const {
-  std::vector<int> places;  // of the links that move; -1 for those that are placed
+  std::vector<int> places;  // of the moving links; -1 for placed ones
   int loose = 0;
   for (const LinkIndex link : moving_) {
     places.push_back(is_placed[link] ? -1 : loose++);

@@ -1,5 +1,5 @@
-// All constraints of a mechanism, with those that a plan leaves out: by how much they miss where
-// its links stand, and their derivatives.
+// All constraints of a mechanism, including those that a plan leaves out, with their residuals and
+// derivatives.
 #pragma once
 
 #include <assur/local/body_constraints.hpp>
@@ -13,14 +13,14 @@ namespace assur::mechanism::solve {
 /// The poses of links.
 [[nodiscard]] Table<LinkIndex, Pose<double>> poses_of(const Table<LinkIndex, Frame>& links);
 
-/// All constraints f(q) = 0 of a mechanism, in which every link but the ground moves: see
-/// BodyConstraints, to which this adds what the tables of a mechanism hold, rates and derivatives.
+/// All constraints f(q) = 0 of a mechanism, in which every link but the ground moves:
+/// BodyConstraints with the mechanism's tables, rates and derivatives.
 class AllConstraints {
  public:
   using Links = Table<LinkIndex, Frame>;
   using Poses = Table<LinkIndex, Pose<double>>;
 
-  /// How many groups are placed before the link of an unknown, or before both links of a row.
+  /// The number of groups placed before the link of an unknown, or before both links of a row.
   struct Blocks {
     std::vector<std::size_t> of_unknowns, of_rows;
   };
@@ -30,10 +30,10 @@ class AllConstraints {
 
   /// The values must outlive it.
   explicit AllConstraints(const Values& values);
-  /// The constraints of the plan's own mechanism, with some of those that it leaves out.
+  /// The constraints of the plan's own mechanism, with some of those that the plan leaves out.
   AllConstraints(const Values& values, const std::vector<RedundantJoint>& left_out);
 
-  /// Reads the present values, and sets size and reach from where the links are.
+  /// Reads the present values, and measures size and reach at the links' poses.
   void measure(const Poses& links);
   /// Reads the present values, and keeps size and reach.
   void read() { body_.hold(held()); }
@@ -42,10 +42,10 @@ class AllConstraints {
   [[nodiscard]] double size() const { return body_.size(); }
   [[nodiscard]] double reach() const { return body_.reach(); }
   [[nodiscard]] double rounding() const { return body_.rounding(); }
-  /// The constraints at the present values of the links that are not placed, where the others stand
-  /// still.
+  /// The constraints on the links that are not placed, at the present values, with the placed ones
+  /// at rest.
   [[nodiscard]] Body of_loose(const Table<LinkIndex, bool>& is_placed, const Poses& links) const;
-  /// Where the links that move stand, by their places in q.
+  /// The poses of the moving links, in the order of q.
   [[nodiscard]] Body::Poses moving_poses(const Poses& links) const;
   void place(const Body::Poses& moved, Poses& links) const;
 
@@ -56,7 +56,7 @@ class AllConstraints {
   /// The links that q moves, and the first of the three rows of such a link.
   [[nodiscard]] const std::vector<LinkIndex>& moving() const { return moving_; }
   [[nodiscard]] Eigen::Index column_of(LinkIndex link) const { return column_of_[link]; }
-  /// f(q).
+  /// The residuals f(q).
   [[nodiscard]] Eigen::VectorXd misses(const Poses& links) const;
   /// The derivative of f with respect to q.
   [[nodiscard]] Eigen::MatrixXd jacobian(const Poses& links) const;
@@ -67,9 +67,9 @@ class AllConstraints {
   /// The step of q from some links to others nearby.
   [[nodiscard]] Eigen::VectorXd step(const Poses& from, const Poses& to) const;
 
-  /// The derivatives of f that follow from the links' rates and derivatives as they are. The first
-  /// ones, f'(t) and f_a, have a column for time and one for each parameter; the second ones,
-  /// f''(t) and f_ab, have one for time and one for each pair of parameters, row by row.
+  /// The derivatives of f at the links' present rates and derivatives. The first ones, f'(t) and
+  /// f_a, have a column for time and one for each parameter; the second ones, f''(t) and f_ab, have
+  /// one for time and one for each pair of parameters, row by row.
   [[nodiscard]] Eigen::MatrixXd first_rates(const Links& links) const;
   [[nodiscard]] Eigen::MatrixXd second_rates(const Links& links) const;
   /// The derivatives of q that belong to those of the links with respect to one parameter.

@@ -1,4 +1,4 @@
-// Turns one parameter that grows into the motion of the numbers that depend on it.
+// The numbers of a mechanism as power series along one growing parameter.
 #pragma once
 
 #include <assur/mechanism/values.hpp>
@@ -7,14 +7,14 @@
 
 namespace assur::mechanism::solve {
 
-/// The numbers of a mechanism as series in how far one parameter has grown from its value.
+/// The numbers of a mechanism as power series in the increase of one parameter from its value.
 class AlongParameter {
  public:
   AlongParameter(const Values& values, ParameterIndex parameter);
 
-  /// A number that reads no joints.
+  /// A number whose formula reads no joints.
   [[nodiscard]] models::Series number(NumberIndex index) const;
-  /// The law of each driver; one that reads joints which groups place counts as standing still.
+  /// The law of each driver; a law that reads joints placed by groups counts as constant.
   [[nodiscard]] const Table<DriverIndex, models::Series>& laws() const { return laws_; }
 
  private:

@@ -21,8 +21,8 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Removes the accelerations of a configuration whose velocities are known to two digits, since
-/// second rates lose more digits.
+/// Removes the accelerations of a configuration whose velocities are accurate to two digits only,
+/// since second rates lose more digits.
 void forget_accelerations(const PlanData& plan, Configuration& configuration) {
   for_each_followed(plan.mechanism, plan.structure, configuration, [](auto& part) {
     part.acceleration *= std::numeric_limits<double>::quiet_NaN();
@@ -30,8 +30,8 @@ void forget_accelerations(const PlanData& plan, Configuration& configuration) {
   configuration.rates_known = true;
 }
 
-/// How far each driver moves from where it is, as a series in time. A law that reads links is
-/// evaluated once these move.
+/// The displacement of each driver from its present position, as a series in time. A law that reads
+/// links is evaluated once these move.
 Table<DriverIndex, models::Series> moving_drivers(const Values& values) {
   const PlanData& plan = values.plan();
   Table<DriverIndex, models::Series> motions;
@@ -51,8 +51,8 @@ Table<DriverIndex, models::Series> moving_drivers(const Values& values) {
   return motions;
 }
 
-/// The constraints that the plan leaves out, of which those that need to hold only within a
-/// tolerance determine no motion.
+/// The constraints that the plan leaves out, except those that hold only within a tolerance, since
+/// these determine no motion.
 std::vector<RedundantJoint> determining(const PlanData& plan) {
   return plan.request.redundancy_tolerance.exists() ? std::vector<RedundantJoint>()
                                                     : plan.redundant;
@@ -66,7 +66,7 @@ bool reads_unknown(const Values& values, const PlacedLinks& placed) {
   });
 }
 
-/// A configuration as it moves: what groups place gets the rates of the motion.
+/// A configuration whose links have the rates of a motion.
 Configuration moving_along(const MovingConstraints& F, const Motion& motion,
                            const Configuration& at) {
   Configuration result = at;
@@ -121,11 +121,11 @@ void find_derivatives(const Values& values, const PlacedLinks& placed, Parameter
   }
   const Eigen::VectorXd f = constraints.along_laws(column);
   const Eigen::VectorXd rates = J.solve(f);
-  // A place that is known to r / s tells J to r / s.
-  constexpr double some = 16;  // what several sums and products make of a rounding
+  // A place that is accurate to r / s gives J to r / s.
+  constexpr double some = 16;  // growth of a rounding error by several sums and products
   if (!(J.left(rates, f).norm() <=
         some * constraints.rounding() / J.firmness() * std::max(1.0, rates.norm()))) {
-    return;  // redundant constraints do not go on
+    return;  // redundant constraints cease to hold
   }
   const Table<LinkIndex, bool> is_driven = values.plan().structure.placed_by_drivers();
   const AllConstraints::Body::Poses moving = constraints.moving_poses(poses);

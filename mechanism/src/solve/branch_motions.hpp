@@ -1,4 +1,4 @@
-// Turns a singular configuration into the motions that go through it.
+// Motions that pass through a singular configuration.
 #pragma once
 
 #include "group_solver.hpp"

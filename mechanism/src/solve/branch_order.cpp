@@ -9,9 +9,9 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// The rates by which branches are sorted, in the order of the names of links and slides, so that
-/// the listing does not matter: angular velocities, velocities of slides, and then their
-/// accelerations.
+/// The rates by which branches are sorted: angular velocities, velocities of slides, and then their
+/// accelerations. They stand in the order of the names of links and slides, so that the order in
+/// which a scene lists them does not matter.
 using Rates = std::array<std::vector<double>, 4>;
 
 Rates rates_of(const Configuration& configuration, const NamedParts& parts) {

@@ -1,4 +1,4 @@
-// Turns the motions through one configuration into an order that the listing does not change.
+// Order of the motions through one configuration, independent of the scene's listing.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>

@@ -1,5 +1,4 @@
-// Turns the groups that fail to close, for each choice of the configurations before them, into the
-// reason why a mechanism cannot be assembled.
+// Gaps by which groups fail to close, and the reason why a mechanism cannot be assembled.
 #pragma once
 
 #include <limits>
@@ -11,30 +10,30 @@
 
 namespace assur::mechanism::solve {
 
-/// Records by how much groups fail to close while the configurations of a mechanism are sought.
+/// Records the gaps by which groups fail to close during a search.
 class ClosingGaps {
  public:
   /// The placement must outlive it.
   explicit ClosingGaps(const Placement& placement);
 
-  /// Forgets what was recorded. Without `measures` all other calls do nothing, which saves time.
+  /// Discards earlier records. Without `measures` all other calls do nothing, which saves time.
   void begin(bool measures);
   /// Records that the search has reached a group, with the present choices of the groups that hold
   /// it.
   void meet(GroupIndex group);
   /// Records that the group has no configuration there, and by how much it fails to close.
   void fail(GroupIndex group);
-  /// Whether a group that has no configuration where it is held may have one where its neighbours
-  /// truly are: their places may be wrong by the square root of rounding where two of their
+  /// Whether a group without a configuration might have one at the exact position of its
+  /// neighbours: these are displaced by up to the square root of rounding where two of their
   /// configurations are listed as one.
   [[nodiscard]] bool is_in_doubt(GroupIndex group) const;
-  /// One sentence on the group that cannot be assembled and fails by the least gap; empty if
-  /// nothing was measured.
+  /// One sentence that names the group with the least gap among those that cannot be assembled;
+  /// empty if nothing was measured.
   [[nodiscard]] std::string reason() const;
 
  private:
-  /// The choices of the holding groups' configurations with which a group was reached, those with
-  /// which it fails to close, and its least gap.
+  /// Choices of the holding groups' configurations at which a group was reached, those at which it
+  /// fails to close, and its least gap.
   struct Failures {
     std::set<std::vector<std::size_t>> met, failed;
     double least_gap = std::numeric_limits<double>::infinity();
@@ -44,7 +43,7 @@ class ClosingGaps {
 
   [[nodiscard]] std::vector<std::size_t> choices_of(const std::vector<GroupIndex>& groups) const;
   /// The links that hold a group and are placed by closures, each with its angle, or with the
-  /// displacement that a law which reads a group gives it.
+  /// displacement that a law gives it.
   [[nodiscard]] std::vector<std::string> stance_of_holders(GroupIndex group) const;
 
   const Placement& placement_;

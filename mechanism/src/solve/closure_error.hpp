@@ -1,4 +1,4 @@
-// Turns a configuration into the largest distance by which its joints fail to close.
+// Largest distance by which the joints of a configuration fail to close.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>

@@ -8,7 +8,7 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Up to this number of configurations the rough sort is left out.
+/// Up to this number of configurations the rough sort is omitted.
 constexpr std::size_t few = 64;
 
 /// The directions of some links.
@@ -39,8 +39,8 @@ void set_order_key(const NamedParts& parts, const Table<LinkIndex, Frame>& links
   }
 }
 
-/// Sorts by the plain keys, whatever their rounding: the sort that follows exchanges neighbours
-/// only, and its time grows as the square of the exchanges that are left.
+/// Sorts by the plain keys without regard to rounding: the sort that follows exchanges neighbours
+/// only, and its time grows as the square of the remaining exchanges.
 void ConfigurationOrder::sort_roughly(std::vector<Configuration>& configurations) {
   keys_.resize(configurations.size());
   std::vector<std::size_t> order(configurations.size());

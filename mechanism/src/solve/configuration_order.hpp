@@ -1,4 +1,4 @@
-// Turns assembly configurations into an order that depends on the mechanism alone.
+// Order of assembly configurations, a property of the mechanism alone.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>

@@ -40,7 +40,7 @@ Answer ConfigurationWalk::walk(const Search& search, const Sought& sought, Solut
   leaves_inconsistent_ = found_.takes_only_consistent();
   descend(0);
   found_.trim();
-  if (has_left_inconsistent_ && found_.lacks_all()) {  // by how much they fail to hold is told
+  if (has_left_inconsistent_ && found_.lacks_all()) {  // the gap is reported
     begin(search, number, result);
     leaves_inconsistent_ = false;
     descend(0);
@@ -144,10 +144,10 @@ void ConfigurationWalk::descend_on(std::size_t depth) {
   }
 }
 
-/// The order of visiting a group's configurations: nearer ones first if the nearest is sought; in
-/// the group's own order if they are numbered group by group; otherwise as they were found.
-/// `squares`: what each of them adds to the squared distance from what is sought, zero where that
-/// is not known yet.
+/// The order in which a group's configurations are visited: the nearest first if the nearest is
+/// sought; in the group's own order if they are numbered group by group; otherwise as they were
+/// found. `squares`: the contribution of each to the squared distance from the target, zero where
+/// it is not computed yet.
 Visits ConfigurationWalk::order_of_visits(GroupIndex group, std::size_t count, Squares& squares) {
   Visits order{};
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -1,4 +1,4 @@
-// Walks through the configurations of a mechanism, group by group, to those that are sought.
+// Depth-first search through the configurations of a mechanism, group by group.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@
 
 namespace assur::mechanism::solve {
 
-/// Walks depth first through the configurations of the groups: what is placed stays placed while
-/// the groups behind it are solved, and is overwritten by the next configuration.
+/// Visits the configurations depth first: a placed group keeps its position while the groups behind
+/// it are solved, and its next configuration overwrites it.
 class ConfigurationWalk {
  public:
   /// The values must outlive the walk, and stay where they are.
   explicit ConfigurationWalk(const Values& values);
 
-  /// Solves all groups as far as what is sought needs them, and writes the solution. Throws as
+  /// Solves the groups as far as the search requires, and writes the solution. Throws as
   /// `MechanismSolver::solve` does.
   [[nodiscard]] Answer walk(const Search& search, const Sought& sought, Solution& result);
 
@@ -38,7 +38,7 @@ class ConfigurationWalk {
   [[nodiscard]] Visits order_of_visits(GroupIndex group, std::size_t count, Squares& squares);
 
   Placement placement_;
-  PlacedLinks& placed_;  ///< those of the placement
+  PlacedLinks& placed_;  ///< of the placement
   const Structure& structure_;
   const Values& values_;
   ClosingGaps gaps_;
@@ -48,12 +48,12 @@ class ConfigurationWalk {
   WatchedLimits limits_;
   WatchedRedundancy watched_;
   FoundConfigurations found_;
-  /// Where there may be more configurations than can be listed, they are numbered as they are met,
-  /// so that the first of them are found without the others.
+  /// Where a mechanism may have more configurations than can be listed, they are numbered in the
+  /// order of the walk, so that the first ones are found without the others.
   bool is_ordered_by_groups_;
-  bool cuts_ = false;                 ///< whether what is beyond limits is left as soon as placed
-  bool has_cut_ = false;              ///< whether something was left like that
-  bool leaves_inconsistent_ = false;  ///< as soon as a redundant joint cannot hold
+  bool cuts_ = false;                 ///< abandons a configuration once it is beyond limits
+  bool has_cut_ = false;              ///< whether one was abandoned beyond limits
+  bool leaves_inconsistent_ = false;  ///< abandons it once a redundant joint cannot hold
   bool has_left_inconsistent_ = false;
 };
 

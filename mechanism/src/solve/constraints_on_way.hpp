@@ -1,12 +1,12 @@
-// All constraints of a mechanism while one of its parameters goes on.
+// All constraints of a mechanism as functions of one of its parameters.
 #pragma once
 
 #include "all_constraints.hpp"
 
 namespace assur::mechanism::solve {
 
-/// A `local::System`. Its places are those of all links that move, and its way is the parameter's,
-/// in parts of the way that moves the mechanism by its size. Laws must not read joints.
+/// A `local::System` whose places are those of all moving links and whose way is the parameter's,
+/// in units of the change that moves the mechanism by its size. Laws must not read joints.
 class ConstraintsOnWay {
  public:
   using Scalar = double;
@@ -18,9 +18,9 @@ class ConstraintsOnWay {
   };
   using Step = Eigen::VectorXd;
 
-  /// The constraints of the plan's own mechanism, with some of those that it leaves out. Measures
-  /// the mechanism where its links are at a point. `way_of_size` is how far the parameter goes
-  /// meanwhile. The values are changed, and must outlive it.
+  /// The constraints of the plan's own mechanism, with some of those that the plan leaves out. The
+  /// mechanism is measured at the links' poses at a point. `way_of_size` is the change of the
+  /// parameter that moves it by its size. The values are changed, and must outlive the object.
   ConstraintsOnWay(Values& values, const std::vector<RedundantJoint>& left_out,
                    ParameterIndex parameter, double way_of_size, const Point& at);
 
@@ -32,7 +32,7 @@ class ConstraintsOnWay {
   void move(const Step& step, Point& point) const;
   [[nodiscard]] double rounding() const { return constraints_.rounding(); }
 
-  /// The direction in which links move, by their derivatives, with one unit along the way.
+  /// The links' direction of motion per unit of way, from their derivatives.
   [[nodiscard]] Step direction(const Table<LinkIndex, Frame>& links) const;
 
  private:

@@ -1,5 +1,4 @@
-// Turns a group that moves freely or is inconsistent where it is held into the families that are
-// listed for it.
+// Families of configurations listed for a group that moves freely or is inconsistent.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -11,10 +10,10 @@
 
 namespace assur::mechanism::solve {
 
-/// Lists groups that move where they are held, each once for each choice of the groups that hold
-/// it. If another group, which does not depend on the moving one, cannot be assembled, nothing is
-/// listed: the answer must not depend on which of the two comes first. Nor may one moving group
-/// hide another.
+/// Lists the groups that move although they are held, once for each choice of the groups that hold
+/// them. If another group, independent of the moving one, cannot be assembled, nothing is listed:
+/// the answer must not depend on which of the two comes first. Nor may one moving group hide
+/// another.
 class FamilySearch {
  public:
   /// Both must outlive the search.
@@ -22,8 +21,8 @@ class FamilySearch {
 
   /// Families are written to `families`, at most one of them if `one` is set.
   void begin(std::vector<Family>& families, bool one);
-  /// Lists the family of a held group that has `mobility`, for a reason, if all groups behind it
-  /// allow it. The placed links stay as they are. Throws MechanismError for too many families.
+  /// Lists the family of a held group that has `mobility`, with a reason, if all groups behind it
+  /// allow it. The placed links keep their poses. Throws MechanismError for too many families.
   void add(GroupIndex group, int mobility, std::string reason);
 
  private:
@@ -31,14 +30,14 @@ class FamilySearch {
 
   void add(GroupIndex group, int mobility, std::string reason, Unplaced unplaced);
   void leave_out(GroupIndex group, Unplaced& unplaced) const;
-  /// Adds those groups from `depth` on that move, wherever the unplaced links are.
+  /// Adds those groups from `depth` on that move for every position of the unplaced links.
   void find_behind(std::size_t depth, Unplaced unplaced);
-  /// Whether the groups from `depth` on can be assembled together. Groups that `unplaced` links
-  /// hold are left out, and so are groups that move, or that are not known to close or not.
+  /// Whether the groups from `depth` on can be assembled together. Groups held by `unplaced` links
+  /// are left out, and so are groups that move or whose closure is in doubt.
   [[nodiscard]] bool rest_assembles(std::size_t depth, Unplaced unplaced);
-  /// Whether this family is listed already with its holding links where they are now: the choices
-  /// of groups that do not hold it make no other family. Families that differ by rounding are the
-  /// same, as configurations are.
+  /// Whether this family is listed already at the present poses of the links that hold it: the
+  /// choices of other groups make no other family. Families that differ by rounding are the same,
+  /// as configurations are.
   [[nodiscard]] bool is_listed(const Family& family) const;
 
   Placement& placement_;

@@ -52,7 +52,7 @@ bool FoundConfigurations::lacks_all() const {
 void FoundConfigurations::list() {
   placement_.turns().note_listed();
   const double gap = gap_of_redundant(values_, placed_.links, placed_.regularity);
-  // Rounding may leave regular groups further apart than it leaves all constraints together.
+  // Rounding may leave a larger gap after regular groups than after all constraints together.
   const bool is_certain =
       placed_.regularity == Status::ok &&
       (gap == 0 || gap_of_redundant(values_, placed_.links, Status::near_singular) > 0);
@@ -69,7 +69,7 @@ void FoundConfigurations::list() {
   placed_ = without;
 }
 
-/// `gap`: by how much redundant constraints are open; `goes_on`: whether they continue to hold.
+/// `gap`: the residual of the redundant constraints; `goes_on`: whether they continue to hold.
 void FoundConfigurations::list_placed(double gap, bool goes_on) {
   const bool is_consistent = gap == 0 && goes_on;
   if (!is_consistent && only_consistent_) {
@@ -108,7 +108,8 @@ void FoundConfigurations::list_placed(double gap, bool goes_on) {
   write_configuration(placement_, search_.finds_motions, result);
 }
 
-/// Removes listed configurations that the placed one rules out; false if it is itself ruled out.
+/// Removes listed configurations that the placed one rules out; returns false if it is itself ruled
+/// out.
 bool FoundConfigurations::is_told_apart() {
   using Comparison = SettledRedundancy::Comparison;
   std::vector<Configuration>& all = solution_->configurations;
@@ -130,7 +131,7 @@ std::optional<OverConstrained> FoundConfigurations::conclude(bool is_numbered, b
                                                              const ClosingGaps& gaps) {
   if (is_unsure_ && solution_->incomplete.empty()) {
     solution_->incomplete =
-        "beside a singular position rounding decides whether some places are configurations";
+        "near a singular position, rounding decides whether further configurations exist";
   }
   if (passed_ > listed_) {  // a single configuration was sought, and there are others
     return std::nullopt;

@@ -10,19 +10,19 @@
 namespace assur::mechanism::solve {
 
 /// J, the derivative of all constraints, where the unknowns of each group follow from its own rows:
-/// the derivatives of rows with respect to unknowns of later groups are zero. Where a group has
-/// more rows than unknowns, since constraints are redundant, these hold in the least squares.
+/// the derivatives of rows with respect to unknowns of later groups are zero. A group with more
+/// rows than unknowns, due to redundant constraints, is solved by least squares.
 class GroupByGroup {
  public:
-  /// False where a group has fewer rows than unknowns, or is not firm: the least pivot of its part
-  /// of J, whose columns are exchanged, is not above `least` in parts of the largest.
+  /// Returns false where a group has fewer rows than unknowns, or where the least pivot of its part
+  /// of J, after column exchange, is at most `least` times the largest.
   [[nodiscard]] bool factorise(const AllConstraints::Blocks& blocks, Eigen::MatrixXd J,
                                double least);
-  /// The least pivot of a group in parts of its largest.
+  /// The least ratio of a group's smallest pivot to its largest.
   [[nodiscard]] double firmness() const { return firmness_; }
   /// q with J q = -f.
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& f) const;
-  /// J q + f.
+  /// The residual J q + f.
   [[nodiscard]] Eigen::VectorXd left(const Eigen::VectorXd& q, const Eigen::VectorXd& f) const {
     return J_ * q + f;
   }
@@ -30,7 +30,7 @@ class GroupByGroup {
  private:
   struct Group {
     std::vector<Eigen::Index> rows, unknowns;
-    std::vector<Eigen::Index> known;  ///< the unknowns of groups before it that its rows contain
+    std::vector<Eigen::Index> known;  ///< the unknowns of earlier groups in its rows
     Eigen::MatrixXd of_known;         ///< their part of J
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors;
   };

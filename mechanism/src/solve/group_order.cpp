@@ -9,7 +9,7 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Those of a mechanism's parts that a group places, in the same order.
+/// The parts of a mechanism that a group places, in the same order.
 NamedParts parts_of(const Structure& structure, const FoundGroup& group, const NamedParts& all) {
   NamedParts own;
   std::ranges::copy_if(all.links, std::back_inserter(own.links), [&](LinkIndex link) {

@@ -1,4 +1,4 @@
-// Turns the configurations of a group where it is held into the order in which they are visited.
+// Order in which the configurations of a held group are visited.
 #pragma once
 
 #include <array>
@@ -9,15 +9,13 @@
 
 namespace assur::mechanism::solve {
 
-/// The indices of a group's configurations among those that were found last, in the order of
-/// visiting.
+/// The indices of the group's configurations found last, in the order of visiting.
 using Visits = std::array<std::size_t, models::most_configurations>;
 
-/// Sorts the configurations of each group as those of a mechanism with that group alone are sorted.
+/// Sorts the configurations of each group as those of a mechanism with that group alone.
 class GroupOrder {
  public:
-  /// The placement must outlive the order, which uses it to place the configurations that it
-  /// compares.
+  /// The placement must outlive the order, which places the compared configurations in it.
   explicit GroupOrder(Placement& placement);
 
   /// Sorts the first `count` visits.

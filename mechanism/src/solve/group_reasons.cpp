@@ -24,7 +24,7 @@ std::vector<std::string> joint_names(const Values& values, GroupIndex group, boo
 
 namespace {
 
-/// The reason why no group of its model has a single position.
+/// The reason why no group of this model has isolated configurations.
 std::string reason_of_model(const Values& values, GroupIndex group, const std::string& what) {
   return "prismatic joints close a loop and over-determine its angles (among the joints " +
          text::listed(joint_names(values, group, true)) + "); " + what;
@@ -53,7 +53,7 @@ std::string reason_of_incompleteness(const Values& values, GroupIndex group, int
          std::to_string(of.model->max_configurations) +
          " configurations in complex numbers in general position, of which " +
          std::to_string(found) +
-         " were found to be single ones here: in this special position others may be missing";
+         " were found isolated here: in this special position others may be missing";
 }
 
 std::string reason_of_conflict(const Values& values, GroupIndex group) {

@@ -1,4 +1,4 @@
-// Turns a group that has no position, or infinitely many, into the words that say so.
+// Reasons why a group has no position, or infinitely many, in words.
 #pragma once
 
 #include <assur/mechanism/values.hpp>
@@ -12,12 +12,12 @@ namespace assur::mechanism::solve {
                                                    bool slides_only);
 /// The reason why a group that closes has infinitely many positions.
 [[nodiscard]] std::string reason_of_freedom(const Values& values, GroupIndex group);
-/// The reason why it is not known whether a group closes.
+/// The reason why it is undecided whether a group closes.
 [[nodiscard]] std::string reason_of_doubt(const Values& values, GroupIndex group);
 /// The reason why a group cannot be assembled if prismatic joints over-determine its angles.
 [[nodiscard]] std::string reason_of_conflict(const Values& values, GroupIndex group);
-/// The reason why configurations of a group may be missing: some of its complex configurations were
-/// found to be single ones, but not as many as there are in general position.
+/// The reason why configurations of a group may be missing: fewer isolated complex configurations
+/// were found than there are in general position.
 [[nodiscard]] std::string reason_of_incompleteness(const Values& values, GroupIndex group,
                                                    int found);
 

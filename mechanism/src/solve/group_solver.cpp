@@ -40,8 +40,8 @@ void add_product(const models::SmallMatrix& a, const std::vector<values::Dimensi
   }
 }
 
-/// The determinant by elimination with the largest pivot of each column; Eigen's function is made
-/// for large matrices.
+/// The determinant by elimination with the largest pivot of each column, faster for small matrices
+/// than Eigen's function.
 double determinant_of(models::SmallMatrix& matrix) {
   double product = 1;
   for (Eigen::Index column = 0; column < matrix.cols(); ++column) {
@@ -239,10 +239,10 @@ void GroupSolver::across(const ValueOf& value_of, const Add& add) const {
   }
 }
 
-/// Adds the rates in time. With f(q, d, u) = 0 and p(q, d, u), along the motion (q', d', u'): q' =
-/// q_u u' + q_d d', J q'' = -f''(q', d', u') - F_u u'' - F_d d'', and so for p. A point (x + i y)
-/// e^(i theta) that moves across its axis, y = 0, adds i y' to the first of these and i y'' - 2
-/// theta' y' to the second: x'' is then smaller by 2 theta' y'.
+/// Adds the rates in time. With f(q, d, u) = 0 and p(q, d, u), along the motion (q', d', u'):
+/// q' = q_u u' + q_d d', J q'' = -f''(q', d', u') - F_u u'' - F_d d'', and likewise for p.
+/// A point (x + i y) e^(i theta) that moves across its axis, y = 0, adds i y' to the first and
+/// i y'' - 2 theta' y' to the second derivative: x'' is then smaller by 2 theta' y'.
 void GroupSolver::add_rates_of_links(const models::FlatVariables& q) {
   const auto& d_rate = numbers().d_rate;
   models::SmallVector d_second_rate = numbers().d_second_rate;
@@ -303,7 +303,7 @@ void GroupSolver::follow() {
 /// Sets the second derivatives from J q_ab = -f''(a, b) - F_d d_ab - F_u u_ab. There f'' is
 /// bilinear in the first derivatives along a and b, and equals (Q(a + b) - Q(a - b)) / 4 with the
 /// quadratic form Q that the kernel computes. If a were much longer than b, that difference would
-/// lose digits, so both are brought to one length.
+/// lose digits, so both are scaled to one length.
 void GroupSolver::follow_twice(const models::FlatVariables& q) {
   const Eigen::Index count = of_q_.first.cols();
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

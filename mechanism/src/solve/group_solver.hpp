@@ -1,5 +1,4 @@
-// Turns a group whose neighbours are placed into the frames of its links, one configuration at a
-// time.
+// Frames of a group's links in each of its configurations, from its placed neighbours.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -13,8 +12,8 @@
 
 namespace assur::mechanism::solve {
 
-/// A configuration q of a group; how far rounding may have moved its neighbours, in parts of the
-/// group's size; and whether its rates and those of all groups before it are known.
+/// A configuration q of a group; the displacement of its neighbours that rounding may cause, as a
+/// fraction of the group's size; and whether its rates and those of all groups before it are known.
 struct PlacedGroup {
   models::FlatVariables q;
   double displaced;
@@ -24,7 +23,7 @@ struct PlacedGroup {
 /// The part of one configuration that has been placed so far.
 struct PlacedLinks {
   Table<LinkIndex, Frame> links;                      ///< the mechanism's links, then blocks
-  Table<LinkIndex, support::Displacement> displaced;  ///< how far rounding may have moved each
+  Table<LinkIndex, support::Displacement> displaced;  ///< bounds by rounding
   std::vector<SlideState> slides;
   std::vector<CountedAngle> counted;
   Table<GroupIndex, PlacedGroup> groups;
@@ -42,10 +41,10 @@ struct PlacedLinks {
 /// uses it for all values of the parameters.
 class GroupSolver {
  public:
-  /// The values must outlive the solver. It can only be used where the group has a normal form.
+  /// The values must outlive the solver. The group must have a normal form.
   GroupSolver(const Values& values, GroupIndex group);
 
-  /// Reads from `placed` where the group's external joints are held.
+  /// Reads the frames of the links that hold the group's external joints from `placed`.
   void hold(const PlacedLinks& placed);
   /// Finds all configurations of the group where it is held.
   [[nodiscard]] const models::GroupAssemblies& assemble();
@@ -53,26 +52,26 @@ class GroupSolver {
   [[nodiscard]] const models::FlatVariables& configuration(std::size_t index) const {
     return found_.configurations[index];
   }
-  /// How far rounding may have moved the links that hold the group, when it was placed last, in
-  /// parts of the group's size.
+  /// The bound on the displacement by rounding of the links that hold the group, when it was placed
+  /// last, as a fraction of the group's size.
   [[nodiscard]] double displaced() const { return query_.displaced.moved / motion_.size; }
-  /// Whether there is no bound on how far rounding may have moved the links that hold the group, as
-  /// where two configurations of a group before it coincide.
+  /// Whether that displacement has no bound, as where two configurations of an earlier group
+  /// coincide.
   [[nodiscard]] bool is_held_loosely() const {
     return !std::isfinite(query_.displaced.moved) || !std::isfinite(query_.displaced.turned);
   }
-  /// The least residual of the closures where the group is held, if it has no configuration.
-  /// `result` is set where the status is `ok`; the other status is `not_finite`.
+  /// The least residual of the closures for a held group without a configuration. `result` is set
+  /// where the status is `ok`; the other status is `not_finite`.
   [[nodiscard]] Status gap(double& result) const;
-  /// Sets the poses of the group's links in one of its configurations, and nothing else of them.
+  /// Sets the poses alone of the group's links in one of its configurations.
   void stand(std::size_t configuration, Table<LinkIndex, Frame>& links) const;
   /// Places the group's links and slides in one of its configurations; the slides are written to
   /// `placed.slides` from `first_slide` on.
   void place(std::size_t configuration, std::size_t first_slide, PlacedLinks& placed);
-  /// The proof that no configuration of the group is missing where it was placed last; `links` has
-  /// its links.
+  /// The proof that no configuration of the group is missing at its last placement; `links` has its
+  /// links.
   [[nodiscard]] GroupProof proof(const Table<LinkIndex, Frame>& links) const;
-  /// The determinant of the loop Jacobian where the group was placed last; NaN where it has no
+  /// The determinant of the loop Jacobian at the group's last placement; NaN where it has no
   /// inverse.
   [[nodiscard]] double determinant() const;
 
@@ -100,7 +99,7 @@ class GroupSolver {
   models::GroupMotion motion_;
   std::vector<AcrossColumns> across_;  ///< of each held axis; empty where nothing moves across it
   values::ParameterDerivatives of_q_, of_p_;  ///< of the unknowns, and of the link poses
-  Point point_;                               ///< kept for their memory, for what holds the group
+  Point point_;  ///< of the links that hold the group; kept for its memory
   Frame line_, frame_;
 };
 

@@ -16,7 +16,7 @@ namespace {
 using Body = AllConstraints::Body;
 using Poses = Body::Poses;
 
-/// Where the links that a family does not place begin to be sought: at the middle of the others.
+/// The start of the search for the links that a family does not place: the middle of the others.
 Poses start_of(const Family& family, std::size_t loose) {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   for (const LinkIndex link : family.is_placed.keys()) {
@@ -28,7 +28,7 @@ Poses start_of(const Family& family, std::size_t loose) {
   return Poses(loose, {centre.x(), centre.y(), {1, 0}});
 }
 
-/// A random step. Every process draws the same ones.
+/// A random step, the same in every process.
 Eigen::VectorXd any_step(Eigen::Index size, std::minstd_rand& random) {
   return Eigen::VectorXd::NullaryExpr(size, [&](Eigen::Index row) {
     const double part =
@@ -37,12 +37,12 @@ Eigen::VectorXd any_step(Eigen::Index size, std::minstd_rand& random) {
   });
 }
 
-/// Closes the constraints from anywhere, by steps of Levenberg and Marquardt, until some in a row
-/// gain less than a tenth, as where the constraints cannot hold. Returns whether they then hold to
-/// rounding.
+/// Closes the constraints from an arbitrary start by Levenberg-Marquardt steps, until several in a
+/// row reduce the residual by less than a tenth, as where the constraints cannot hold. Returns
+/// whether they then hold to rounding.
 bool closes(const Body& body, Poses& poses) {
   constexpr int most_steps = 100;
-  constexpr int most_in_vain = 6;  // the last is some thousand times as stiff as the first
+  constexpr int most_in_vain = 6;  // the last is damped some thousand times more than the first
   constexpr double least_gain = 0.9;
   constexpr double slack = 16;
   const Eigen::Index count = body.columns();
@@ -80,8 +80,8 @@ Eigen::MatrixXd kernel_at(const Body& body, const Poses& poses) {
   return factors.matrixV().rightCols(body.columns() - rank);
 }
 
-/// By how many freedoms at least links move from where they are closed, along the kernel of J in
-/// small steps; zero if they do not.
+/// A lower bound of the number of freedoms with which closed links move, found by small steps along
+/// the kernel of J; zero if they do not move.
 int followed_mobility(const Body& body, Poses poses) {
   constexpr int steps = 4;
   constexpr double length = 0.03;

@@ -1,4 +1,4 @@
-// The mobility that redundant constraints leave a family which was found without them.
+// Mobility of a family once the redundant constraints hold as well.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -7,10 +7,10 @@
 
 namespace assur::mechanism::solve {
 
-/// Returns the mobility that all constraints together leave a family, which is at most the family's
-/// own. The links that the family does not place are moved, from many starting positions, until all
-/// constraints hold, and from there a motion is followed. Zero means that no motion was found, even
-/// if single positions of the family remain.
+/// Returns the mobility that all constraints together leave a family, at most the family's own. The
+/// links that the family does not place are moved, from many starting positions, until all
+/// constraints hold, and from there a motion is followed. Zero means that no motion was found,
+/// although isolated positions of the family may remain.
 [[nodiscard]] int left_mobility(const Family& family, const AllConstraints& constraints);
 
 }  // namespace assur::mechanism::solve

@@ -18,14 +18,14 @@ namespace assur::mechanism::solve {
 namespace {
 
 /// The angle in (-pi, pi]. An angle that is -pi up to rounding becomes pi, so that a law that reads
-/// it says the same however the links are listed.
+/// it has the same value however the links are listed.
 double whole_angle(const Direction<double>& direction) {
   constexpr double negligible = 1e-9;
   const double angle = angle_of(direction);
   return angle < negligible - std::numbers::pi ? angle + 2 * std::numbers::pi : angle;
 }
 
-/// By how much a joint is beyond its limits: `B by 3.5 deg`.
+/// The excess of a joint beyond its limits, such as `B by 3.5 deg`.
 std::string excess_text(const Joint& joint, double excess) {
   const bool turns = joint.type == JointType::revolute;
   std::array<char, 40> by{};

@@ -1,5 +1,4 @@
-// Turns placed links into the coordinates of joints, and these into how far they are beyond their
-// limits.
+// Coordinates of joints between placed links, and their excess beyond limits.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -11,8 +10,8 @@ namespace assur::mechanism::solve {
 [[nodiscard]] JointMotion coordinate_of(const Values& values, const Table<LinkIndex, Frame>& links,
                                         const std::vector<SlideState>& slides, JointIndex index);
 
-/// The excess of a joint's coordinate beyond its limits, in radians or the unit of length; 0 where
-/// it keeps them up to the rounding of the coordinate. The links that it joins must be placed.
+/// The excess of a joint's coordinate beyond its limits, in radians or the unit of length; 0 within
+/// the limits or up to the rounding of the coordinate. The links of the joint must be placed.
 [[nodiscard]] double beyond_limits(const Values& values, const Table<LinkIndex, Frame>& links,
                                    const std::vector<SlideState>& slides, JointIndex index);
 

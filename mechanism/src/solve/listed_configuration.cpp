@@ -17,7 +17,7 @@ bool are_finite(const Vector& rates) {
   return rates.allFinite();
 }
 
-/// Whether the velocities and accelerations that are wanted are within the range of double.
+/// Whether the requested velocities and accelerations are within the range of double.
 bool are_rates_finite(const Request& request, const Configuration& configuration) {
   const auto is_finite = [&](const auto& item) {
     return (!request.want.velocity || are_finite(item.velocity)) &&

@@ -1,4 +1,4 @@
-// Turns the placement of all links into the configuration that is reported.
+// Reported configuration from the placement of all links.
 #pragma once
 
 #include "placement.hpp"
@@ -6,7 +6,7 @@
 namespace assur::mechanism::solve {
 
 /// Overwrites all of `result` except for `within_limits` and `is_consistent`, which the caller
-/// decides.
+/// sets.
 void write_configuration(const Placement& placement, bool finds_motions, Configuration& result);
 
 }  // namespace assur::mechanism::solve

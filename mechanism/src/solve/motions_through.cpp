@@ -17,9 +17,9 @@ namespace {
 
 using Parts = MovingConstraints::Parts;
 
-/// Rates are known to two digits where rounding moves them by at most this part.
+/// Rates are accurate to two digits where their relative error by rounding is at most this.
 constexpr double two_digits_lost = 1e-3;
-/// A singular value below this may be one that vanishes at a place nearby.
+/// A singular value below this may vanish at a place nearby.
 constexpr double nearly_lost = 1e-4;
 
 /// The constraints at t = 0, as a local::System without a way: all of z is q.
@@ -48,9 +48,9 @@ class ConstraintsInPlace {
   const MovingConstraints& F_;
 };
 
-/// Turns columns into others of the same span, each of which belongs to a block: it is zero in
-/// every block before that one, and has unit length there. `block_of` tells the block of each row.
-/// Returns the block of each column.
+/// Transforms columns to a basis of the same span in which each belongs to a block: it is zero in
+/// every earlier block, and has unit length there. `block_of` gives the block of each row. Returns
+/// the block of each column.
 template <typename Blocks>
 std::vector<std::size_t> bring_to_echelon_form(const std::vector<std::size_t>& block_of,
                                                const Blocks& blocks, Eigen::MatrixXd& columns) {
@@ -113,23 +113,23 @@ class MotionSearch {
   }
 
  private:
-  /// The equations of one group, and how many unknowns they decide.
+  /// The equations of one group, and the number of unknowns that they determine.
   struct Level {
     std::vector<Eigen::Index> equations;
     Eigen::Index unknowns = 0;
   };
 
-  /// Quadratic equations W' f(N x) = 0 in levels, each of which has the unknowns of those before
-  /// and its own.
+  /// Quadratic equations W' f(N x) = 0 in levels; each level has its own unknowns and those of the
+  /// levels before.
   struct Cone {
     Eigen::MatrixXd N, W;
     double noise;       ///< of the coefficients
-    double most_error;  ///< of roots that are told, in parts of them
+    double most_error;  ///< accepted relative error of a root
     std::vector<Level> levels = {};
     QuadraticEquations equations = {};
   };
 
-  /// The first unknowns of a root of a cone.
+  /// A root of the first levels of a cone.
   struct Root {
     Eigen::VectorXd x;
     Eigen::VectorXd error;
@@ -150,7 +150,7 @@ class MotionSearch {
       const ConstraintsInPlace system(F_);
       const auto singular = local::singular_point(system, Eigen::VectorXd(place_.col(0)),
                                                   static_cast<int>(corank) - 1);
-      // That place is this configuration where all constraints hold half-way there, too.
+      // The exact place is this configuration if all constraints also hold halfway between the two.
       is_exact = singular.is_found && singular.opening <= rounding &&
                  system.misses(singular.at / 2).norm() <= some * rounding;
       if (is_exact) {
@@ -168,7 +168,7 @@ class MotionSearch {
     W_ = svd_.matrixU().rightCols(F_.rows() - rank);
     firmness_ = rank > 0 ? svd_.singularValues()(rank - 1) / svd_.singularValues()(0) : 1;
   }
-  /// Finds the first rates where each group is firm. False where one is not.
+  /// Finds the first rates if each group is firm; returns false otherwise.
   [[nodiscard]] bool begin_group_by_group() {
     if (!group_by_group_.factorise(F_.blocks(), F_.jacobian(place_.col(0)), nearly_lost)) {
       return false;
@@ -178,17 +178,17 @@ class MotionSearch {
     start_.col(1) = group_by_group_.solve(F_.coefficient(1, place_));
     return true;
   }
-  /// Finds the shortest first rates. False where there are none.
+  /// Finds the shortest first rates; returns false if there are none.
   [[nodiscard]] bool begin() {
     const Eigen::VectorXd f = F_.coefficient(1, place_);
     start_ = place_;
     start_.col(1) = shortest(f);
     return take_distance((W_.transpose() * f).norm());
   }
-  /// A place that is known to r / s tells a singular value s up to r / s.
+  /// A place that is accurate to r / s gives a singular value s up to r / s.
   [[nodiscard]] double hidden() const { return std::sqrt(8 * F_.rounding()); }
-  /// Takes what W' f_1 is for the distance in t from where it vanishes, which changes all further
-  /// coefficients by as much. False where the place is too far away.
+  /// Takes W' f_1 as the distance in t to its zero, by which all further coefficients change.
+  /// Returns false where that place is too far away.
   [[nodiscard]] bool take_distance(double distance) {
     noise_ = std::max(noise_, some * distance);
     return distance <= some * hidden();
@@ -211,13 +211,13 @@ class MotionSearch {
     const Eigen::VectorXd f = F_.coefficient(2, start_);
     const bool is_known_twice = error / firmness_ < two_digits_lost;
     if (is_known_twice && (W_.transpose() * f).norm() > agreement * f.norm()) {
-      return;  // redundant constraints do not go on
+      return;  // redundant constraints cease to hold
     }
     add(start_, rank_ > 0 ? shortest(f) : group_by_group_.solve(f), is_known_twice);
   }
 
-  /// Brings N and W to echelon form and pairs the unknowns of each group with its equations. False
-  /// where some unknowns have none.
+  /// Brings N and W to echelon form and pairs the unknowns of each group with its equations.
+  /// Returns false where some unknowns have none.
   [[nodiscard]] bool find_levels(Cone& cone) const {
     const std::set<std::size_t> blocks(F_.blocks().of_rows.begin(), F_.blocks().of_rows.end());
     std::set<std::size_t> all(F_.blocks().of_unknowns.begin(), F_.blocks().of_unknowns.end());
@@ -243,8 +243,8 @@ class MotionSearch {
     return level.unknowns == 0 && std::ssize(of_unknowns) == cone.N.cols();
   }
 
-  /// The roots of a cone whose equations are W' `function`(N x); nothing where one of them is not
-  /// known to `most_error`.
+  /// The roots of a cone whose equations are W' `function`(N x); nothing where one of them is less
+  /// accurate than `most_error`.
   template <typename Function>
   [[nodiscard]] std::optional<std::vector<Root>> roots_of(Cone& cone,
                                                           const Function& function) const {
@@ -259,7 +259,7 @@ class MotionSearch {
     return is_known ? std::optional(std::move(roots)) : std::nullopt;
   }
 
-  /// The quadratic polynomials that a function is.
+  /// The coefficients of a function that consists of quadratic polynomials.
   template <typename Function>
   [[nodiscard]] static QuadraticEquations interpolated(Eigen::Index unknowns,
                                                        const Function& function) {
@@ -296,8 +296,8 @@ class MotionSearch {
     return result;
   }
 
-  /// Solves the levels of a cone from one on, where `before` has the unknowns of those before.
-  /// False where some roots are not known to `most_error`.
+  /// Solves the levels of a cone from `depth` on, where `before` holds the unknowns of the earlier
+  /// ones. Returns false where some roots are less accurate than `most_error`.
   [[nodiscard]] static bool descend(const Cone& cone, std::size_t depth, const Root& before,
                                     std::vector<Root>& roots) {
     if (depth == cone.levels.size()) {
@@ -320,7 +320,7 @@ class MotionSearch {
            });
   }
 
-  /// A root of the levels before with one of a level's equations.
+  /// A root of the earlier levels, extended by a root of one level's equations.
   [[nodiscard]] static Root lengthened(const Cone& cone, const Root& before, const Level& level,
                                        const QuadraticEquations& here,
                                        const Eigen::VectorXd& root) {
@@ -398,8 +398,8 @@ class MotionSearch {
       add(parts, second, false);
       return;
     }
-    // Tangents at which several of them coincide are known to the square root of rounding, which
-    // is a pessimistic bound where they are zero, as those of what is at rest.
+    // Where several tangents coincide, they are accurate to the square root of rounding only. This
+    // bound is pessimistic for zero tangents, as those of links at rest.
     Cone next{cone.N * M.matrixV().rightCols(unknowns - rank), cone.W * unreached,
               std::max(std::sqrt(cone.noise), tangent.error.maxCoeff()),
               std::numeric_limits<double>::infinity()};
@@ -427,9 +427,9 @@ class MotionSearch {
     found_.push_back({std::move(parts), is_known_twice});
   }
 
-  /// What several sums and products make of a rounding.
+  /// The factor by which several sums and products enlarge a rounding error.
   static constexpr double some = 16;
-  /// What redundant constraints may contradict one another by.
+  /// The accepted contradiction between redundant constraints.
   static constexpr double agreement = support::agreement_of_second_rates<double>;
 
   const MovingConstraints& F_;
@@ -439,7 +439,7 @@ class MotionSearch {
   Eigen::BDCSVD<Eigen::MatrixXd> svd_;
   Eigen::Index rank_ = 0;
   Eigen::MatrixXd N_, W_;
-  double firmness_ = 1;  ///< the least singular value that does not vanish, in parts of the largest
+  double firmness_ = 1;  ///< the ratio of the least nonzero singular value or pivot to the largest
   double noise_ = 0;
   std::vector<Motion> found_;
 };

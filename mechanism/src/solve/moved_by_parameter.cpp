@@ -9,7 +9,7 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// What a parameter moves, by the formulas that read it.
+/// The parts of a mechanism that a parameter moves, found from the formulas that read it.
 class MovedParts {
  public:
   MovedParts(const Values& values, ParameterIndex parameter)
@@ -61,7 +61,7 @@ class MovedParts {
         plan_.mechanism.numbers()[number].formula.parameters(),
         [this](ParameterIndex parameter) { return bool(parameters_[parameter]); });
   }
-  /// A law that reads links moves wherever anything does.
+  /// A law that reads links changes whenever any part moves.
   [[nodiscard]] bool is_law_moved(DriverIndex driver) const {
     return plan_.evaluation.reads_links[driver] ||
            is_moved(plan_.mechanism.drivers()[driver].position) ||

@@ -1,4 +1,4 @@
-// Turns a parameter into the parts of a mechanism that it moves.
+// Parts of a mechanism that a parameter moves.
 #pragma once
 
 #include <assur/mechanism/values.hpp>
@@ -7,8 +7,8 @@
 namespace assur::mechanism::solve {
 
 /// Whether a parameter moves drivers alone, and neither links nor the dimensions of groups.
-/// Formulas tell, since a derivative may be zero where a length is longest or shortest, as at a
-/// change point.
+/// Formulas decide this, since a derivative may vanish where a length is longest or shortest, as at
+/// a change point.
 [[nodiscard]] bool moves_drivers_alone(const Values& values, ParameterIndex parameter);
 
 /// The features of joints and outputs that a parameter moves on their links.

@@ -87,7 +87,7 @@ void MovingConstraints::choose_unit_of_time() {
   const double first = coefficient(1, still).norm();
   const double second = std::sqrt(coefficient(2, still).norm());
   double fastest = std::max(first, second);
-  // Where a feature moves along its own joint, F does not change at once.
+  // A feature that moves along its own joint leaves F unchanged to first order.
   const auto consider = [&](const Series& moving, double size) {
     fastest =
         std::max({fastest, std::abs(moving.c[1]) / size, std::sqrt(std::abs(moving.c[2]) / size)});

@@ -13,24 +13,25 @@ namespace assur::mechanism::solve {
 
 /// The constraints F(q, t) = 0 (see AllConstraints), where laws may read joints. q is zero at the
 /// configuration. A motion is q(t) = parts.col(0) + parts.col(1) t + ... + parts.col(4) t^4. The
-/// unit of t is chosen so that what moves the mechanism moves it by about its size or one radian.
+/// unit of t is chosen so that drivers and features move by about the mechanism's size or one
+/// radian.
 class MovingConstraints {
  public:
   using Parts = Eigen::MatrixXd;
   using Links = Table<LinkIndex, Pose<models::Series>>;
   static constexpr auto highest_order = static_cast<Eigen::Index>(models::Series::order);
 
-  /// The constraints of the plan's own mechanism, with some of those that it leaves out, at a
-  /// configuration, in time. `motions` tells how far each driver moves from where it is; those
-  /// whose laws read joints of links that move are left out, since they move as these joints do.
-  /// The values and the configuration must outlive it.
+  /// The constraints of the plan's own mechanism, with some of those that the plan leaves out, at a
+  /// configuration, as functions of time. `motions` holds the displacement of each driver; drivers
+  /// whose laws read joints of moving links are left out, since they follow these joints. The
+  /// values and the configuration must outlive the object.
   MovingConstraints(const Values& values, const std::vector<RedundantJoint>& left_out,
                     const Configuration& configuration,
                     const Table<DriverIndex, models::Series>& motions);
 
   [[nodiscard]] Eigen::Index rows() const { return std::ssize(rows_); }
   [[nodiscard]] Eigen::Index unknowns() const { return constraints_.unknowns(); }
-  /// By how much rounding of places and features changes F.
+  /// The change of F that rounding of places and features causes.
   [[nodiscard]] double rounding() const { return constraints_.rounding(); }
 
   /// The coefficient of F at an order of t, for a motion with these parts.
@@ -39,7 +40,7 @@ class MovingConstraints {
   [[nodiscard]] Eigen::MatrixXd jacobian(const Eigen::VectorXd& q) const;
   /// F''(q)(., v).
   [[nodiscard]] Eigen::MatrixXd bends(const Eigen::VectorXd& q, const Eigen::VectorXd& v) const;
-  /// A motion that stays at a place.
+  /// A constant motion at a place.
   [[nodiscard]] Parts at_rest(const Eigen::VectorXd& q) const;
 
   /// The links, slides without drivers and outputs along a motion, in the original unit of time.
@@ -70,7 +71,7 @@ class MovingConstraints {
   AllConstraints::Poses poses_;
   std::vector<Row> rows_;
   std::vector<std::vector<Eigen::Index>> rows_of_;  ///< that change with a link that moves
-  std::vector<Eigen::Index> reading_;               ///< of drivers whose laws read moving joints
+  std::vector<Eigen::Index> reading_;  ///< rows of drivers whose laws read moving joints
   AllConstraints::Blocks blocks_;
   double unit_ = 1;  ///< of t
 };

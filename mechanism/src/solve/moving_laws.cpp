@@ -47,7 +47,7 @@ LinkFeature<models::Series> moving_feature(const Values& values, FeatureIndex in
   const Frame& frame = values.frame(index);
   const auto& [cosine, sine] = frame.pose.direction;
   LinkFeature<models::Series> result{is_line, frame.pose.x, frame.pose.y, {cosine, sine}};
-  if (!index.exists()) {  // of a block
+  if (!index.exists()) {  // a joint of a block
     return result;
   }
   const Feature& feature = values.plan().mechanism.features()[index];

@@ -16,7 +16,7 @@ double distance(const Direction<double>& one, const Direction<double>& other) {
 
 void Continuation::add(const NearbyConfigurations& nearby, const Configuration& there,
                        LinkIndex link, const Direction<double>& here) {
-  constexpr double farthest = 0.5;  // a slope does not lead to a larger turn
+  constexpr double farthest = 0.5;  // the largest turn along a slope, in radians
   constexpr double faster = 8;      // the factor by which a link may turn faster later on the way
   constexpr double least = 5e-4;    // for a link that rests for a moment
   const Direction<double>& from = there.links[link].pose.direction;

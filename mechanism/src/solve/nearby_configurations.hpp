@@ -1,5 +1,4 @@
-// Turns the configurations at a value of a parameter nearby into how well links that are placed
-// here continue each of them.
+// Configurations at a neighbouring value of a parameter, and how well placed links continue them.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -14,14 +13,14 @@ struct NearbyConfigurations {
   const Table<GroupIndex, const RoleAssignment*>* roles = nullptr;  ///< of the groups' links there
   Eigen::Index column = 0;  ///< of the derivatives with respect to the parameter
   double way = 0;           ///< from that value to the one here
-  bool go_on = false;       ///< whether all are expected to be continued here
+  bool go_on = false;       ///< whether all should continue here
 };
 
-/// How well the motion of a configuration, along its slope, leads to directions of links here.
+/// How well the motion of a configuration, along its slope, predicts the directions of links here.
 struct Continuation {
-  double error = 0;  ///< the sum of the directions' distances from where the slope leads
-  double away = 0;   ///< the sum of the directions' distances from where they are there
-  double reach = 0;  ///< how far, by their slopes, the links can be expected to turn at most
+  double error = 0;  ///< the sum of the directions' distances from the predicted ones
+  double away = 0;   ///< the sum of the directions' distances from those at the other value
+  double reach = 0;  ///< the largest turn of the links that their slopes make plausible
 
   /// Adds a link.
   void add(const NearbyConfigurations& nearby, const Configuration& there, LinkIndex link,

@@ -28,7 +28,7 @@ Nearness::Nearness(const Placement& placement)
       const auto is_of_link = [link](const ReferenceAngle& angle) { return angle.link == link; };
       std::ranges::copy_if(plan.request.reference, std::back_inserter(own_angles_[group]),
                            is_of_link);
-      if (link.place() < plan.mechanism.links().size()) {  // and not a block
+      if (link.place() < plan.mechanism.links().size()) {  // not a block
         own_links_[group].push_back(link);
       }
     }

@@ -1,5 +1,4 @@
-// Turns placed links into their distance from where a configuration is sought, and into whether
-// they may belong to the nearest one.
+// Distance of placed links from a target, and the nearest configuration so far.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -11,9 +10,9 @@
 
 namespace assur::mechanism::solve {
 
-/// The distance of a configuration from the place near which one is sought: the angles of a
-/// request's reference, or a point. Its square is a sum over links, so that a part of it is known
-/// before all links are placed. While nothing is sought, all distances are zero.
+/// The distance of a configuration from the target of a search: the angles of a request's
+/// reference, or a point. Its square is a sum over links, so that a part of it is known before all
+/// links are placed. Without a target, all distances are zero.
 class Nearness {
  public:
   /// The placement must outlive it.
@@ -22,24 +21,24 @@ class Nearness {
   void seek_nothing();
   void seek_reference();
   void seek(const SoughtPoint& point);
-  /// Forgets what was found.
+  /// Discards earlier results.
   void begin();
 
   [[nodiscard]] bool is_sought() const { return is_sought_; }
-  /// Adds the links that are placed once `groups` groups are, and not before. Returns what `leave`
-  /// takes before they are placed elsewhere.
+  /// Adds the links that are placed after exactly `groups` groups. Returns the value to pass to
+  /// `leave` before they are placed elsewhere.
   [[nodiscard]] double enter(std::size_t groups);
   void leave(double before) { square_ = before; }
-  /// The part of the squared distance that belongs to the links of one group.
+  /// The contribution of one group's links to the squared distance.
   [[nodiscard]] double square_of(GroupIndex group) const {
     return square_of(own_angles_[group], own_links_[group]);
   }
-  /// Whether what is placed, with `more` added to its squared distance, may be the nearest
-  /// configuration or the next one.
+  /// Whether the placed links, with `more` added to their squared distance, may belong to the
+  /// nearest configuration or the second nearest.
   [[nodiscard]] bool may_count(double more = 0) const { return square_ + more < next_square_; }
-  /// Takes what is placed as a configuration. False where another one is as near.
+  /// Takes the placed links as a configuration. Returns false where another one is as near.
   [[nodiscard]] bool is_nearest();
-  /// The distances of the nearest configuration and of the next one, where one was found.
+  /// The distances of the nearest and second nearest configurations found.
   [[nodiscard]] Nearest found() const;
 
  private:
@@ -48,12 +47,12 @@ class Nearness {
 
   const Placement& placement_;
   bool is_sought_ = false;
-  double farthest_square_ = std::numeric_limits<double>::infinity();  ///< within which it is sought
-  double square_ = 0;                                                 ///< of what is placed
-  double least_square_ = 0, next_square_ = 0;  ///< of the nearest configuration, and the next one
+  double farthest_square_ = std::numeric_limits<double>::infinity();  ///< the limit of the search
+  double square_ = 0;                                                 ///< of the placed links
+  double least_square_ = 0, next_square_ = 0;  ///< of the nearest and second nearest configurations
   const SoughtPoint* point_ = nullptr;         ///< null where the reference is sought
-  std::vector<std::vector<ReferenceAngle>> angles_;            ///< by the groups before them
-  std::vector<std::vector<LinkIndex>> links_;                  ///< by the groups before them
+  std::vector<std::vector<ReferenceAngle>> angles_;  ///< by the number of groups before them
+  std::vector<std::vector<LinkIndex>> links_;        ///< by the number of groups before them
   Table<GroupIndex, std::vector<ReferenceAngle>> own_angles_;  ///< of the links of each group
   Table<GroupIndex, std::vector<LinkIndex>> own_links_;
 };

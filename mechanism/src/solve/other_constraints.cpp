@@ -19,19 +19,19 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// The reason for a family of which no motion is found that all constraints allow.
+/// The reason for a family without a known motion that satisfies all constraints.
 std::string reason_without(const std::string& reason, const PlanData& plan) {
   std::vector<std::string> names;
   for (const RedundantJoint& joint : plan.redundant) {
     names.push_back(joint.name);
   }
   return reason + " without constraints of " + text::listed(names) +
-         "; it is not known in which positions these constraints hold";
+         "; the positions in which these constraints hold are unknown";
 }
 
-/// Whether every family moves under all constraints; sets the mobilities that are left. False where
-/// the constraints cannot be closed together (`can_close`). Stops at the first family without a
-/// motion, since it takes long to find none.
+/// Sets the mobility of each family under all constraints and returns whether every one still
+/// moves. Returns false where the constraints cannot be closed together (`can_close`). Stops at the
+/// first family without a motion, since a fruitless search takes long.
 bool are_left(std::vector<Family>& families, const Values& values) {
   if (families.empty()) {
     return true;
@@ -46,8 +46,7 @@ bool are_left(std::vector<Family>& families, const Values& values) {
   });
 }
 
-/// Sets the mobilities of families to what all constraints leave of them, with a reason where no
-/// motion is found.
+/// Sets the mobilities of families under all constraints, with a reason where no motion is found.
 void tell_what_is_left(std::vector<Family>& families, const Values& values) {
   const AllConstraints constraints(values);
   for (Family& family : families) {
@@ -60,7 +59,7 @@ void tell_what_is_left(std::vector<Family>& families, const Values& values) {
   }
 }
 
-/// Turns the solution by another plan of a mechanism into the form of the mechanism's own plan.
+/// Converts the solution by another plan of a mechanism into the form of the mechanism's own plan.
 class Adoption {
  public:
   Adoption(const Values& values, const PlanData& other)

@@ -199,7 +199,7 @@ bool Placement::can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& un
   const auto is_any_unplaced = [&](const std::vector<LinkIndex>& links) {
     return std::ranges::any_of(links, [&](LinkIndex link) { return unplaced[link]; });
   };
-  // A carried link is loose where the group that places it is unplaced, or its law reads an
+  // A carried link is loose if the group that places it is unplaced, or if its law reads an
   // unplaced link.
   const auto is_loose = [&](const CarriedLink& link) {
     return link.group.exists()

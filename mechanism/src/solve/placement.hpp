@@ -1,4 +1,4 @@
-// Turns the choice of a configuration of each group, one group after another, into placed links.
+// Placement of links from a choice of one configuration for each group.
 #pragma once
 
 #include <assur/mechanism/plan.hpp>
@@ -12,8 +12,8 @@
 
 namespace assur::mechanism::solve {
 
-/// The links of a mechanism while its groups are placed depth first: a placed link stays while the
-/// groups behind it are solved, and the next configuration overwrites it.
+/// The links of a mechanism during a depth-first search over its groups: a placed link keeps its
+/// frame while the groups behind it are solved, and the next configuration overwrites it.
 class Placement {
  public:
   /// The values must outlive the placement, and stay where they are.
@@ -21,40 +21,39 @@ class Placement {
   Placement(const Placement&) = delete;
   Placement& operator=(const Placement&) = delete;
 
-  /// Resets what solving the last position has left.
+  /// Resets the state of the last position.
   void begin();
-  /// Evaluates the laws of drivers, and moves the links that they carry, that are due once `groups`
-  /// groups are placed. Returns false where a law has no value; `flaw` then says why.
+  /// Evaluates the laws of drivers that are determined once `groups` groups are placed, and moves
+  /// the links that they carry. Returns false where a law has no value; `flaw` then says why.
   [[nodiscard]] bool move_carried_links(std::size_t groups);
-  /// Does the same where some links are unplaced. Links that these carry, or that are moved by laws
-  /// which read them, become unplaced instead.
+  /// Does the same with some links unplaced. A link that an unplaced link carries, or whose law
+  /// reads one, becomes unplaced.
   [[nodiscard]] bool move_carried_links(std::size_t groups, Table<LinkIndex, bool>& unplaced);
   [[nodiscard]] const std::string& flaw() const { return flaw_; }
   /// The whole turns of angles that laws read.
   [[nodiscard]] TurnCount& turns() { return turns_; }
   [[nodiscard]] const TurnCount& turns() const { return turns_; }
-  /// Whether a group has a normal form and all links that hold or shape it are placed, so that its
-  /// configurations can be found.
+  /// Whether a group has a normal form and all links that hold or shape it are placed.
   [[nodiscard]] bool can_be_solved(GroupIndex group, const Table<LinkIndex, bool>& unplaced) const;
-  /// Reads where the group's neighbours are. If the group is solved relative to a link, that link
-  /// is put on the axes of the ground, with all that it carries, until it is placed itself.
+  /// Reads the frames of the group's neighbours. If the group is solved relative to a link, that
+  /// link is put on the axes of the ground, with all that it carries, until it is placed itself.
   void hold(GroupIndex group);
   /// Finds the configurations of a group where it is held. Throws MechanismError after too many.
   [[nodiscard]] const models::GroupAssemblies& assemble(GroupIndex group);
-  /// Sets the poses of a group's links in one of these configurations; their rates are set only by
-  /// `place`.
+  /// Sets the poses of a group's links in one of these configurations; `place` also sets their
+  /// rates.
   void stand(GroupIndex group, std::size_t index);
-  /// Places a group in one of the configurations that were found last. If it is solved relative to
-  /// a link, it is placed in that link's frame, and shapes the groups behind it.
+  /// Places a group in one of the configurations found last. A group solved relative to a link is
+  /// placed in that link's frame, and shapes the groups behind it.
   void place(GroupIndex group, std::size_t index);
 
   [[nodiscard]] const PlanData& plan() const { return *plan_; }
   [[nodiscard]] const std::shared_ptr<const PlanData>& shared_plan() const { return plan_; }
   [[nodiscard]] const Structure& structure() const { return structure_; }
-  /// The values, with all laws evaluated that read links placed so far.
+  /// The values, with the laws evaluated that read placed links.
   [[nodiscard]] const Values& values() const { return values_; }
   [[nodiscard]] const GroupSolver& solver(GroupIndex group) const { return solvers_[group]; }
-  /// The index of the configuration in which a group was placed last.
+  /// The configuration in which a group was placed last.
   [[nodiscard]] std::size_t choice(GroupIndex group) const { return chosen_[group]; }
 
   [[nodiscard]] const PlacedLinks& placed() const { return placed_; }
@@ -83,7 +82,7 @@ class Placement {
   std::size_t placed_groups_ = 0;
   std::string flaw_;
   std::size_t steps_ = 0;
-  Frame joint_, motion_, moved_;  ///< kept for their memory, for what drivers move
+  Frame joint_, motion_, moved_;  ///< kept for their memory, for links that drivers move
 };
 
 }  // namespace assur::mechanism::solve

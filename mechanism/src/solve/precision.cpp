@@ -20,15 +20,15 @@ class SecondLook {
              const models::GroupMotion& motion)
       : model_(model), d_(d), u_(u), q_(q), inverse_(motion.inverse), size_(motion.size) {}
 
-  /// The relative error of the derivatives where rounding leaves closures open by `held`.
+  /// The relative error of the derivatives where rounding leaves gaps `held` in the closures.
   [[nodiscard]] double error(double held) const {
     const double reach = this->reach();
     const double unclosed = open(held);
     double result = 0;
     for (const bool angles : {false, true}) {
       const models::SmallVector moved = unclosed * loosest(angles);
-      // The error of solving the linear equations: the right-hand sides are as long as the group
-      // reaches, and the remaining error may be a turn by one, or a length of the group's size.
+      // The error of solving the linear equations: the right-hand sides are as large as the group's
+      // reach, and the remaining error may be a turn by one, or a length of the group's size.
       result = std::max(result, epsilon * reach * largest(moved, angles) /
                                     (angles ? unclosed : unclosed * size_));
       models::SmallMatrix change(inverse_.rows(), inverse_.cols());
@@ -45,7 +45,7 @@ class SecondLook {
 
   /// The relative error of second rates in the same case, where J q'' = -H(q', q') - ...: rounding
   /// moves the configuration by dq and the rates by dq' = J^-1 H(q', dq), plus the rounding of
-  /// their own solving, and so the second rates by J^-1 (2 H(q', dq') + H(q'', dq)). The inputs'
+  /// their own solution, and so the second rates by J^-1 (2 H(q', dq') + H(q'', dq)). The inputs'
   /// rates enter with those of q. Second rates may cancel, so the error is measured against the
   /// squares of rates as well.
   [[nodiscard]] double second_rate_error(double held, const models::SmallVector& rate,
@@ -84,7 +84,7 @@ class SecondLook {
     }
     return result;
   }
-  /// The largest entry in the rows of angles, or of lengths.
+  /// The largest entry in the rows of angles or of lengths.
   template <typename Rows>
   [[nodiscard]] double largest(const Rows& rows, bool angles) const {
     double result = 0;
@@ -95,12 +95,12 @@ class SecondLook {
     }
     return result;
   }
-  /// The norm, with turns multiplied by the size so that they are lengths.
+  /// The norm, with angles multiplied by the size to give lengths.
   [[nodiscard]] double norm(const models::SmallVector& of) const {
     return std::max(largest(of, false), size_ * largest(of, true));
   }
-  /// J^-1 f for closures f that leave every loop open by one, in the directions that move angles,
-  /// or lengths, most. A loop has two closures, one along each axis.
+  /// J^-1 f for closures f with a gap of one in every loop, in the directions that move angles, or
+  /// lengths, most. A loop has two closures, one along each axis.
   [[nodiscard]] models::SmallVector loosest(bool angles) const {
     models::SmallVector result = models::SmallVector::Zero(inverse_.rows());
     double most = -1;

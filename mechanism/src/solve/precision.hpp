@@ -1,5 +1,4 @@
-// Turns the inverse Jacobian and the curvature of a configuration into how many digits of its
-// derivatives are known.
+// Accuracy of a configuration's derivatives, from its inverse Jacobian and its curvature.
 #pragma once
 
 #include <assur/mechanism/group_model.hpp>
@@ -22,16 +21,17 @@ struct Precision {
 /// The precision of a configuration that its pivots report as near-singular. Their bound is
 /// pessimistic, since it multiplies the firmness of parts that need not fail together. Rounding and
 /// the neighbours move a configuration by dq = J^-1 df, and that changes the derivatives J^-1 c by
-/// J^-1 H(J^-1 c, dq), with H the second derivatives of the closures. Lengths and angles are each
-/// counted in parts of their own derivatives. `motion` is that of the configuration `q` of `model`.
+/// J^-1 H(J^-1 c, dq), with H the second derivatives of the closures. Errors of lengths and of
+/// angles are each relative to their own derivatives. `motion` is that of the configuration `q` of
+/// `model`.
 [[nodiscard]] Precision precision_of(const GroupModel& model, const models::FlatVariables& d,
                                      const models::FlatVariables& u, const models::FlatVariables& q,
                                      const models::MotionQuery& query,
                                      const models::GroupMotion& motion);
 
-/// The precision of the frames of links that drivers change. `firmness`, from 0 to 1, says how well
-/// features define the frame: rounding errors of first rates grow by one over the firmness, and
-/// those of second rates by its square.
+/// The precision of the frames of links that drivers change. `firmness`, from 0 to 1, measures how
+/// well features define the frame: rounding errors of first rates grow by its inverse, and those of
+/// second rates by the square of its inverse.
 [[nodiscard]] Precision precision_of_shape(double firmness);
 
 }  // namespace assur::mechanism::solve

@@ -11,11 +11,11 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// A root must satisfy equations from which it was not computed up to this part of their size.
+/// The largest relative residual of a root in equations that did not determine it.
 constexpr double agreement = 1e-6;
 
-/// As many combinations of the equations as there are unknowns. Combinations by numbers that have
-/// nothing to do with the equations have no further common roots but by chance.
+/// As many combinations of the equations as there are unknowns. The factors are unrelated to the
+/// equations, so that further common roots arise by chance only.
 QuadraticEquations combined(const QuadraticEquations& from, const std::vector<Eigen::Index>& rows) {
   const Eigen::Index unknowns = from.unknowns();
   const auto count = static_cast<Eigen::Index>(rows.size());
@@ -50,8 +50,8 @@ std::vector<double> roots_of(double a, double b, double c, double noise) {
   if (discriminant < 0) {
     return {};
   }
-  // The first root adds magnitudes and so loses no digits; the other one follows from the product
-  // of both.
+  // The first root adds magnitudes and so loses no digits; the other follows from the product of
+  // both.
   const double far = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
   return {far / a, c / far};
 }
@@ -96,8 +96,8 @@ struct InSecond {
 /// The real roots of two equations in two unknowns, from their resultant
 /// (a1 c2 - a2 c1)^2 - (a1 b2 - a2 b1)(b1 c2 - b2 c1), a polynomial in the first unknown.
 std::vector<Eigen::VectorXd> roots_of_two(const QuadraticEquations& equations) {
-  // The unknowns are turned by an angle that has nothing to do with the equations, so that no two
-  // roots have the same first unknown but by chance.
+  // The unknowns are rotated by an angle unrelated to the equations, so that two roots share the
+  // first unknown by chance only.
   const double cosine = std::cos(0.6);
   const double sine = std::sin(0.6);
   Eigen::Matrix2d turn;
@@ -131,8 +131,8 @@ std::vector<Eigen::VectorXd> roots_of_two(const QuadraticEquations& equations) {
     }
   }
   std::vector<std::complex<double>> first = roots_of(resultant);
-  // A double root is found as two whose difference is the square root of a rounding; their mean is
-  // as good as a simple root.
+  // A double root appears as two whose difference is the square root of a rounding error; their
+  // mean is as accurate as a simple root.
   constexpr double apart = 1e-4;
   std::vector<Eigen::VectorXd> result;
   for (std::size_t index = 0; index < first.size(); ++index) {
@@ -157,7 +157,7 @@ std::vector<Eigen::VectorXd> roots_of_two(const QuadraticEquations& equations) {
   return result;
 }
 
-/// Corrects a simple root by Newton's steps.
+/// Corrects a simple root by Newton steps.
 void polish(const QuadraticEquations& equations, Eigen::VectorXd& root) {
   constexpr int steps = 3;
   constexpr double least_firmness = 1e-4;

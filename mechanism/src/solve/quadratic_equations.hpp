@@ -1,4 +1,4 @@
-// The real common roots of quadratic equations in one or two unknowns.
+// Real common roots of quadratic equations in one or two unknowns.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,15 +17,15 @@ struct QuadraticEquations {
   [[nodiscard]] Eigen::Index unknowns() const { return linear.cols(); }
   [[nodiscard]] Eigen::VectorXd at(const Eigen::VectorXd& x) const;
   [[nodiscard]] Eigen::MatrixXd derivative(const Eigen::VectorXd& x) const;
-  /// The equations in the unknowns from one on, of those with given numbers, where the unknowns
-  /// before these have the values `known`.
+  /// The given equations in the unknowns from `known.size()` on, where the unknowns before these
+  /// have the values `known`.
   [[nodiscard]] QuadraticEquations of(const std::vector<Eigen::Index>& equations,
                                       const Eigen::VectorXd& known, Eigen::Index unknowns) const;
 };
 
-/// The real roots that all equations share; those closer than rounding separates are one. `noise`
-/// is the rounding of coefficients, which are of the size of one or less. Nothing where fewer
-/// equations than unknowns say more than rounding, or where there are more than two unknowns.
+/// The real roots that all equations share; roots closer than rounding separates are one. `noise`
+/// is the rounding error of the coefficients, whose size is at most about one. Returns nothing
+/// where fewer equations than unknowns exceed rounding, or where there are more than two unknowns.
 [[nodiscard]] std::optional<std::vector<Eigen::VectorXd>> common_roots(
     const QuadraticEquations& equations, double noise);
 

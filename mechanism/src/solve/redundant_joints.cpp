@@ -15,14 +15,13 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// How far the links of a mechanism reach: the largest coordinate of their origins, and of the
-/// features on them.
+/// The largest coordinate of the origins of a mechanism's links, and of the features on them.
 struct Extent {
   double origins = 0, features = 0;
 };
 
-/// The extent of the links that are placed once `groups` groups are; `before` tells how many each
-/// of them needs.
+/// The extent of the links that are placed once `groups` groups are; `before` holds the number of
+/// groups that each needs.
 Extent extent_of(const Values& values, const Table<LinkIndex, Frame>& links,
                  const Table<LinkIndex, std::size_t>& before, std::size_t groups) {
   const Mechanism& mechanism = values.plan().mechanism;
@@ -70,8 +69,8 @@ Pair placed(const Values& values, const Table<LinkIndex, Frame>& links, const Re
           std::max(support::largest_coordinate(places), extent.origins)};
 }
 
-/// The fastest rates and second rates of the mechanism, against which their rounding is measured:
-/// two links may both be at rest while others move.
+/// The fastest rates and second rates of the mechanism, the scale of their rounding: two links may
+/// both be at rest while others move.
 struct Fastest {
   double speed = 0, speeding_up = 0;
 };
@@ -90,8 +89,7 @@ Fastest fastest_of(const Table<LinkIndex, Frame>& links, double size) {
   return fastest;
 }
 
-/// The distance that rounding, or the tolerance that the request states, allows between the
-/// features.
+/// The distance between the features that rounding, or the tolerance of the request, allows.
 double tolerance_of(const Values& values, double size, Status regularity) {
   const NumberIndex given = values.plan().request.redundancy_tolerance;
   return std::max(support::redundancy_slack(size, regularity),
@@ -104,8 +102,8 @@ double gap_of(const Pair& pair) {
                         : support::points_apart(pair.one, pair.other);
 }
 
-/// Whether the features of a redundant joint stay together, to first order and, where asked, to
-/// second. Rates that are not known do not part them.
+/// Whether the features of a redundant joint stay together, to first order and, if requested, to
+/// second. Unknown rates count as agreeing.
 bool stays_together(const Values& values, const Table<LinkIndex, Frame>& links,
                     const RedundantJoint& joint, const Extent& extent, bool twice) {
   const auto frame = [&](FeatureIndex feature) {

@@ -1,4 +1,4 @@
-// Turns a link that is placed into how far it is turned from its angle in the request's reference.
+// Difference of a placed link's angle from its angle in the request's reference.
 #pragma once
 
 #include <assur/directions.hpp>

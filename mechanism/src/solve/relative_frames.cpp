@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The vector turned by a quarter turn: the velocity of the point `arm` in a frame that turns at
+/// The vector rotated by a quarter turn: the velocity of the point `arm` in a frame that rotates at
 /// unit speed.
 Vector2d across(const Vector2d& arm) { return {-arm.y(), arm.x()}; }
 

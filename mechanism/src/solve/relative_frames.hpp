@@ -1,4 +1,4 @@
-// Frames as seen from other frames, and where slides are along their lines.
+// Frames relative to other frames, and displacements of slides along their lines.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -10,15 +10,15 @@ namespace assur::mechanism::solve {
 /// in a third frame.
 [[nodiscard]] Frame seen_from(const Frame& one, const Frame& other);
 
-/// The line of a slide and the feature that moves along it. Of a prismatic joint, the line is the
+/// The line of a slide and the feature that moves along it. The line of a prismatic joint is its
 /// first feature.
 struct SlideFeatures {
   FeatureIndex line, other;
 };
 [[nodiscard]] SlideFeatures features_of_slide(const Mechanism& mechanism, JointIndex slide);
 
-/// The state of a slide: how far its second feature is from the origin of its line along it, with
-/// rates and derivatives, which follow from those of the links.
+/// The state of a slide: the displacement of its second feature along its line from the line's
+/// origin, with the rates and derivatives that follow from those of the links.
 [[nodiscard]] SlideState measured_slide(const Values& values, const Table<LinkIndex, Frame>& links,
                                         JointIndex slide);
 

@@ -1,4 +1,4 @@
-// What is asked of the configurations of a mechanism, and what is answered beside the solution.
+// Options of a search for configurations, its targets, and its answer.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,13 +12,13 @@
 namespace assur::mechanism::solve {
 
 struct Search {
-  /// Whether configurations beyond the limits of joints are left out. A sweep keeps them, since
+  /// Whether configurations beyond the limits of joints are omitted. A sweep keeps them, since
   /// branches go through them.
   bool within_limits = true;
-  /// Whether a solution without configurations says by how much the links fail to close, and which
-  /// configuration comes nearest to the limits of joints. This takes longer than solving.
+  /// Whether a solution without configurations reports by how much the links fail to close, and
+  /// which configuration comes nearest to the limits of joints. This takes longer than solving.
   bool measures_gap = false;
-  /// Whether the motions through configurations in which several meet are found. A sweep needs them
+  /// Whether the motions through configurations at which several meet are found. A sweep needs them
   /// in its rows only.
   bool finds_motions = true;
 };
@@ -31,26 +31,26 @@ struct SoughtNumber {
 };
 /// The configuration nearest to the request's reference, alone in the solution.
 struct SoughtReference {};
-/// The configuration nearest to a point, alone in the solution. The point is where the links of the
-/// mechanism should be: (x / L, y / L, cos theta, sin theta) of every link that was described, with
-/// L = `length`.
+/// The configuration nearest to a point, alone in the solution. The point holds the sought poses of
+/// the links: (x / L, y / L, cos theta, sin theta) of every link that was described, with L =
+/// `length`.
 struct SoughtPoint {
   Eigen::VectorXd at;
   double length = 1;
   double farthest =
-      std::numeric_limits<double>::infinity();  ///< configurations beyond do not count
+      std::numeric_limits<double>::infinity();  ///< more distant configurations do not count
 };
 
 using Sought = std::variant<SoughtAll, SoughtNumber, SoughtReference, const SoughtPoint*>;
 
 struct Answer {
   std::size_t passed = 0;          ///< how many configurations were met
-  std::optional<Nearest> nearest;  ///< where the nearest is sought, and there is one
-  /// Why a search within limits found nothing, if redundant constraints hold in none of the
+  std::optional<Nearest> nearest;  ///< if the nearest is sought, and there is one
+  /// The refusal of a search within limits, if redundant constraints hold in none of the
   /// configurations. The solution has the same reason.
   std::optional<OverConstrained> refusal;
-  /// Whether rounding may have kept the search from a configuration: a place that groups hardly
-  /// determine was found not to be one.
+  /// Whether rounding may have hidden a configuration: the search rejected a place that groups
+  /// hardly determine.
   bool is_unsure = false;
 };
 

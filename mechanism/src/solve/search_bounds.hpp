@@ -1,4 +1,4 @@
-// Turns a search that grows beyond its bounds into the error that says how to ask for less.
+// Bounds of a search, and the errors for a search that exceeds them.
 #pragma once
 
 #include <assur/mechanism/structure.hpp>
@@ -8,16 +8,16 @@
 
 namespace assur::mechanism::solve {
 
-/// The bounds of a search: groups that it solves, families that it lists, and numbers that the list
-/// of configurations holds (800 MB).
+/// The bounds of a search: the groups that it solves, the families that it lists, and the numbers
+/// in the list of configurations (800 MB).
 inline constexpr std::size_t most_steps = 300000;
 inline constexpr std::size_t most_families = 1000;
 inline constexpr double most_numbers = 1e8;
 
-/// The largest number of configurations that a mechanism can have, by the models of its groups.
+/// The largest number of configurations of a mechanism, by the models of its groups.
 [[nodiscard]] double most_configurations(const Structure& structure);
 
-/// Throws MechanismError that says which bound `what` exceeds and how to ask for less.
+/// Throws MechanismError that names the exceeded bound `what` and how to ask for less.
 [[noreturn]] void refuse_search(const Structure& structure, const std::string& what);
 
 /// Throws MechanismError where `listed` configurations, with their derivatives with respect to each

@@ -16,7 +16,7 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Mechanisms of more links are not settled, since the work grows as the cube of the number.
+/// Larger mechanisms are not settled, since the work grows as the cube of the number of links.
 constexpr std::size_t most_links = 100;
 }  // namespace
 
@@ -69,8 +69,8 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   const double error = constraints_.rounding() / (firmness * firmness);
   placed.is_crossing = !(error < 1);
   goes_on_ = true;
-  // Where all constraints together do not determine the rates, those of the remaining ones are only
-  // one of several motions.
+  // Where all constraints together do not determine the rates, those of the remaining ones belong
+  // to only one of several motions.
   placed.rates_known = placed.derivatives_known = false;
   if (!(error < two_digits)) {
     return;
@@ -121,7 +121,7 @@ SettledRedundancy::Comparison SettledRedundancy::compared(const AllConstraints::
                                                           const AllConstraints::Poses& second) {
   constexpr double near = 0.01;
   constexpr double much_better = 16;
-  constexpr double alike = 4;  // roundings: the place halfway is rounded as both are, and once more
+  constexpr double alike = 4;  // roundings: halfway has those of both places, and one more
   constraints_.measure(first);
   const Eigen::VectorXd apart = constraints_.step(first, second);
   if (!(apart.cwiseAbs().maxCoeff() < near)) {

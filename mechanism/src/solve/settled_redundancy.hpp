@@ -1,5 +1,4 @@
-// Turns a configuration of a mechanism without its redundant constraints into the one that
-// satisfies all constraints best.
+// Correction of configurations by all constraints of a mechanism, redundant ones included.
 #pragma once
 
 #include <optional>
@@ -14,23 +13,23 @@ namespace assur::mechanism::solve {
 /// determine it, and its rates, to all digits.
 class SettledRedundancy {
  public:
-  /// Which of two configurations nearby the constraints rule out, if any.
+  /// Whether the constraints rule out one of two neighbouring configurations, and which.
   enum class Comparison : unsigned char { differ, first_is_none, second_is_none };
 
-  /// Makes one where there is something to settle: redundant constraints that must hold to rounding
-  /// and not to a tolerance, not too many links, and no law that reads joints. The values must
-  /// outlive it.
+  /// Returns an object if there is something to settle: redundant constraints that must hold to
+  /// rounding and not to a tolerance, not too many links, and no law that reads joints. The values
+  /// must outlive it.
   [[nodiscard]] static std::optional<SettledRedundancy> made_for(const Values& values);
   /// Whether redundant constraints must hold to rounding, and no law reads joints.
   [[nodiscard]] static bool can_close(const PlanData& plan);
 
-  /// Closes all constraints from nearby as far as they can be closed, by the Gauss-Newton steps J^+
-  /// f. Where J has full column rank up to rounding, regularity, rates and derivatives are those
-  /// that all constraints determine; what they contradict becomes unknown. Returns the residual in
-  /// the unit of length, and zero where that may be rounding.
+  /// Closes all constraints from nearby as far as possible, by the Gauss-Newton steps J^+ f. Where
+  /// J has full column rank up to rounding, regularity, rates and derivatives are those that all
+  /// constraints determine; those that contradict them become unknown. Returns the residual in the
+  /// unit of length, and zero where that may be rounding.
   [[nodiscard]] double settle(PlacedLinks& placed);
-  /// Whether the rates of the configuration that was settled last, where they are known, satisfy
-  /// all constraints; in a regular one the second rates must, too.
+  /// Whether the known rates of the configuration settled last satisfy all constraints; in a
+  /// regular one the second rates must satisfy them, too.
   [[nodiscard]] bool goes_on() const { return goes_on_; }
 
   /// Compares two settled configurations. One is ruled out where the other is nearby and closes

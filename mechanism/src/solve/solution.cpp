@@ -1,4 +1,4 @@
-// Finds a part of a configuration by its name.
+// Look-up of the parts of a configuration by name.
 #include <assur/mechanism/error.hpp>
 #include <assur/mechanism/solution.hpp>
 #include <assur/text/quoted.hpp>
@@ -10,7 +10,7 @@ namespace assur::mechanism::solve {
 
 namespace {
 
-/// Finds an item by its name; the message of the error says what a program asked for.
+/// Finds an item by its name; the error's message names the missing item.
 template <typename Key, typename Part, typename Item>
 const Item& item_named(const Table<Key, Part>& parts, const Table<Key, Item>& items,
                        const std::string& name, const std::string& what) {

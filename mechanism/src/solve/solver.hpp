@@ -1,4 +1,4 @@
-// Turns the values of a planned mechanism into every assembly configuration.
+// Every assembly configuration of a planned mechanism at given values.
 #pragma once
 
 #include <assur/mechanism/solution.hpp>
@@ -23,13 +23,13 @@ class MechanismSolver {
   MechanismSolver(const MechanismSolver&) = delete;
   MechanismSolver& operator=(const MechanismSolver&) = delete;
 
-  /// Writes the configurations that are sought. Throws MechanismError where there are more than can
-  /// be listed, or where they cannot be found in a bounded time, and as `Plan::solve` does; where
-  /// redundant constraints hold in no configuration, the answer has a refusal instead.
+  /// Writes the sought configurations. Throws MechanismError where there are too many to list, or
+  /// where they cannot be found in a bounded time, and as `Plan::solve` does; where redundant
+  /// constraints hold in no configuration, the answer has a refusal instead.
   [[nodiscard]] Answer solve(const Search& search, const Sought& sought, Solution& result);
   /// See `TurnCount::count_from`.
   void count_from(std::vector<NearbyConfigurations> nearby);
-  /// See `TurnCount`; of the last solution.
+  /// See `TurnCount`; refers to the last solution.
   [[nodiscard]] bool is_count_ambiguous() const;
   [[nodiscard]] bool is_count_in_doubt() const;
 

@@ -45,8 +45,8 @@ JointMotion TurnCount::coordinate(JointIndex joint) {
   return motion;
 }
 
-/// Whether the groups that are placed so far have loop Jacobians of the signs that they have in a
-/// configuration nearby. Along a branch, signs change in singular configurations only.
+/// Whether the loop Jacobians of the groups placed so far have the same signs as in a configuration
+/// nearby. Along a branch, signs change in singular configurations only.
 bool TurnCount::has_signs_of(const NearbyConfigurations& nearby, const Configuration& there) const {
   for (GroupIndex group(0); group.place() < placed_groups_; group = GroupIndex(group.place() + 1)) {
     if (values_.group(group).roles == (*nearby.roles)[group] &&
@@ -57,11 +57,11 @@ bool TurnCount::has_signs_of(const NearbyConfigurations& nearby, const Configura
   return true;
 }
 
-/// The whole turns to add to an angle, from the configuration nearby that the joint's links, and
-/// all links of groups placed before, continue best; nothing if the joint's links continue none: a
-/// configuration that continues no branch, such as the mirror image of one, has a count of its own.
-/// Where a change of sign shows that branches have met, the continuation leads straight on; a step
-/// across such a place is too wide to tell whether branches meet there or miss one another.
+/// The whole turns to add to an angle: those of the configuration nearby that the joint's links and
+/// all links placed before continue best. Returns nothing if the joint's links continue none: a
+/// configuration that continues no branch, such as a mirror image, has a count of its own. If a
+/// change of sign shows that branches have met, the continuation leads straight on; a step across
+/// such a place is too wide to tell whether branches meet there or miss one another.
 std::optional<double> TurnCount::turns_of(JointIndex joint, double angle, Counting& counting) {
   constexpr double clearly = 4;
   constexpr double indistinct = 1e-6;  // where branches meet, rounding moves links by less

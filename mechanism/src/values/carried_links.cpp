@@ -1,5 +1,4 @@
-// Turns laws of drivers, and groups that are solved relative to links, into the frames in which
-// links carry one another and one another's features.
+// Frames of carried links, and of their features, in the frames of the links that carry them.
 #include <assur/mechanism/values.hpp>
 #include <cmath>
 #include <limits>
@@ -66,7 +65,7 @@ support::Displacement Values::rounding(const ElementaryJoint& at, LinkIndex link
   }
   const ElementaryJoint& joint = plan_->structure.linkage.joints[carried.joint];
   const double position = std::abs(motions_[carried.driver].position.value());
-  // The longest lever about which the driver turns the link, and how far it slides.
+  // The longest lever about which the driver turns the link, and its sliding distance.
   const double lever = size_of(at.on(link)) + size_of(joint.on(carried.to));
   return (joint.prismatic ? Displacement::of_slide(position) : Displacement::of_turn(position))
       .carries(lever, 0, rounding(joint.on(carried.from)))

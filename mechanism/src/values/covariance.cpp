@@ -9,7 +9,7 @@ namespace assur::mechanism::values {
 
 namespace {
 
-// The entries come from the scene's expressions, a few roundings each.
+// The entries result from the scene's expressions, with a few roundings each.
 constexpr double entry_rounding = 1e-12;
 
 std::string shown(double number) {
@@ -22,8 +22,8 @@ std::string entry(Eigen::Index row, Eigen::Index column) {
   return "covariance.matrix[" + std::to_string(row) + "][" + std::to_string(column) + "]";
 }
 
-/// The correlations of a matrix with finite entries; throws unless it is symmetric, and its
-/// variances and each pair of them allow its entries. A variance of zero correlates with nothing.
+/// The correlations of a matrix with finite entries; throws unless it is symmetric and its
+/// variances are not negative and bound its entries. A zero variance has zero correlations.
 Eigen::MatrixXd correlations(const Eigen::MatrixXd& matrix) {
   for (Eigen::Index row = 0; row < matrix.rows(); ++row) {
     if (matrix(row, row) < 0) {
@@ -53,8 +53,8 @@ Eigen::MatrixXd correlations(const Eigen::MatrixXd& matrix) {
   return result;
 }
 
-/// Whether all eigenvalues are at least -`slack`: the matrix with the slack on its diagonal has a
-/// Cholesky factor.
+/// Whether all eigenvalues are at least -`slack`, tested by a Cholesky factorisation of the matrix
+/// with the slack on its diagonal.
 bool is_semi_definite(const Eigen::MatrixXd& symmetric, double slack) {
   const Eigen::MatrixXd raised =
       symmetric + slack * Eigen::MatrixXd::Identity(symmetric.rows(), symmetric.cols());

@@ -1,4 +1,4 @@
-// Turns the alignment that the library is compiled with into the symbol that programs ask for.
+// Symbol for the alignment of Eigen's matrices in the library, which programs must match.
 #include <assur/mechanism/eigen_alignment.hpp>
 
 namespace assur::mechanism {

@@ -1,3 +1,4 @@
+// Composition of frames, with rates and derivatives.
 #include <assur/mechanism/frame.hpp>
 #include <assur/support/rigid_motion.hpp>
 #include <assur/variables.hpp>
@@ -20,7 +21,7 @@ Eigen::Matrix<double, Coordinates, 1> mixed(const Derivatives<Coordinates>& foll
   return result;
 }
 
-/// The origin of a frame that a frame carries, with all its derivatives.
+/// The origin of a frame inside another frame, with all its derivatives.
 class CarriedOrigin {
  public:
   CarriedOrigin(const Frame& frame, const Frame& inner)

@@ -34,7 +34,7 @@ ParameterDerivatives derivatives_of(const std::vector<DimensionValue<Dual>>& qua
 
 namespace {
 
-/// How the points of links with held axes follow the parameters across these.
+/// The derivatives of points across held axes with respect to the parameters.
 std::vector<AcrossAxis> across_axes(const Values& values, const FoundGroup& group,
                                     const GroupGeometry<Dual>& geometry,
                                     const std::vector<bool>& is_angle) {

@@ -1,4 +1,4 @@
-// Turns the normal forms of a group's links into the plain numbers that its model's kernel reads.
+// Plain numbers of a group, read by its model's kernel.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace assur::mechanism::values {
 
-/// First and second derivatives of some quantities to the parameters.
+/// First and second derivatives of some quantities with respect to the parameters.
 struct ParameterDerivatives {
   ParameterRows<Eigen::Dynamic> first;  ///< a row per quantity
   std::vector<Eigen::MatrixXd> second;  ///< one per quantity; empty where not carried
@@ -23,32 +23,32 @@ struct MeasuredSlide {
   JointIndex joint;
   double sense;
   Dual shift;
-  double shift_rate = 0, shift_second_rate = 0;  ///< in time
+  double shift_rate = 0, shift_second_rate = 0;  ///< with respect to time
 };
 
-/// Where a placed link holds an external joint of the group. If the group is solved relative to a
-/// link, that link or one that it carries holds it.
+/// The place where a placed link holds an external joint of the group. If the group is solved
+/// relative to a link, that link or one that it carries holds it.
 struct HeldJoint {
   LinkIndex base;
   FeatureIndex feature;
   bool prismatic;
-  double offset;  ///< of a line: by how much it is moved back across itself (`GroupGeometry`)
+  double offset;  ///< of a line: its displacement back across itself (`GroupGeometry`)
 };
 
-/// One derivative of a dimension that is not zero. Most dimensions follow one parameter or none.
+/// One nonzero derivative of a dimension. Most dimensions depend on one parameter or none.
 struct DimensionDerivative {
   Eigen::Index dimension, parameter;
   double value;
 };
 
-/// A held axis of a link, and how the link's second point moves across it.
+/// A held axis of a link, and the motion of the link's second point across it.
 struct AcrossAxis {
-  std::size_t dimension;                  ///< in the flat dimensions: its place along the axis
-  std::size_t angle;                      ///< in the flat unknowns: the link's direction
-  Eigen::Index dimension_row, angle_row;  ///< the same two among dimensions and unknowns
-  Eigen::VectorXd first;                  ///< derivatives to the parameters
-  Eigen::MatrixXd second;                 ///< empty where not carried
-  double rate = 0, second_rate = 0;       ///< in time
+  std::size_t dimension;  ///< index of the point's place along the axis, in the flat dimensions
+  std::size_t angle;      ///< index of the link's direction, in the flat unknowns
+  Eigen::Index dimension_row, angle_row;  ///< indices of the same two among dimensions and unknowns
+  Eigen::VectorXd first;                  ///< derivatives with respect to the parameters
+  Eigen::MatrixXd second;                 ///< empty if not carried
+  double rate = 0, second_rate = 0;       ///< with respect to time
 
   [[nodiscard]] bool moves() const { return rate != 0 || second_rate != 0; }
   [[nodiscard]] bool follows_parameters() const {
@@ -65,14 +65,14 @@ struct Values::GroupNumbers {
   std::vector<bool> is_angle;  ///< of each dimension
   values::ParameterDerivatives of_d;
   std::vector<values::DimensionDerivative> nonzero_of_d;
-  models::SmallVector d_rate, d_second_rate;  ///< in time; empty where the links keep their shapes
-  std::vector<LinkIndex> links;               ///< that play the model's
+  models::SmallVector d_rate, d_second_rate;  ///< in time; empty if the shapes are constant
+  std::vector<LinkIndex> links;               ///< in the roles of the model's links
   std::vector<Frame> own;                     ///< their own frames, each in its normal frame
   std::vector<values::AcrossAxis> across;
   std::vector<values::MeasuredSlide> slides;
   std::vector<values::HeldJoint> held;
   support::Displacement rounding;  ///< of features on its links, beyond that of their coordinates
-  /// How well features that drivers carry define the frames of their links, from zero to one. Where
+  /// How well features that drivers carry define the frames of their links, from zero to one. If
   /// they nearly meet, rounding turns the frame, and its rates even more.
   double firmness = 1;
 

@@ -105,7 +105,7 @@ Dual Values::in_time(NumberIndex number,
 
 LinkFeature<Dual> Values::in_time(FeatureIndex index, bool is_line) const {
   LinkFeature<Dual> result{is_line, Dual(0.0), Dual(0.0), {Dual(1.0), Dual(0.0)}};
-  if (!index.exists()) {  // of a block
+  if (!index.exists()) {  // a feature of a block
     return result;
   }
   const Feature& feature = plan_->mechanism.features()[index];

@@ -1,4 +1,4 @@
-// Turns how a mechanism's parameters and drivers move in time into the rates of a group's numbers.
+// Rates of a group's numbers, from the motion of parameters and drivers in time.
 #pragma once
 
 #include <assur/mechanism/values.hpp>
@@ -11,7 +11,7 @@ namespace assur::mechanism::values {
 [[nodiscard]] double rate_of(const Dual& number);
 [[nodiscard]] double second_rate_of(const Dual& number);
 
-/// Fills in the rates of a group whose links change their shapes, from its geometry in time.
+/// Sets the rates of a group with links of variable shape, from its geometry as a function of time.
 void set_rates(const GroupGeometry<Dual>& geometry, const Structure& structure,
                const FoundGroup& group, Values::GroupNumbers& numbers);
 

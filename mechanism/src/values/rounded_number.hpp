@@ -1,4 +1,4 @@
-// Turns an expression's operations into its value and a bound on its rounding error.
+// Values of expressions with bounds on their rounding errors.
 #pragma once
 
 #include <algorithm>
@@ -7,9 +7,8 @@
 
 namespace assur::mechanism::values {
 
-/// A number, and how far rounding may have moved it from the exact value of its expression, to
-/// first order. Numbers in the text count as exact: what matters is the rounding of terms that
-/// cancel, as in 1 + cos(180*deg).
+/// A number, and a first-order bound on its rounding error as the value of an expression. Numbers
+/// in the text count as exact: the bound serves for terms that cancel, as in 1 + cos(180*deg).
 struct RoundedNumber {
   double value = 0;
   double error = 0;
@@ -47,7 +46,8 @@ struct RoundedNumber {
   const double value = std::tan(a.value);
   return rounded_to(value, (1 + value * value) * a.error);
 }
-/// A bound on the slope of a root. Near zero, the error of the argument may exceed its value.
+/// A bound on the slope of a square root. Near zero, the error of the argument may exceed its
+/// value.
 [[nodiscard]] inline double root_slope(double inside, double error) {
   return 1 / std::sqrt(std::max({inside, error, std::numeric_limits<double>::min()}));
 }
@@ -70,7 +70,7 @@ struct RoundedNumber {
 [[nodiscard]] inline RoundedNumber abs(const RoundedNumber& a) {
   return {std::abs(a.value), a.error};
 }
-/// Rounding may choose the other one where it is that near.
+/// If the two are that near, rounding may select the wrong one.
 [[nodiscard]] inline RoundedNumber min(const RoundedNumber& a, const RoundedNumber& b) {
   return {std::min(a.value, b.value), std::max(a.error, b.error)};
 }

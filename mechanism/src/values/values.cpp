@@ -1,3 +1,4 @@
+// Evaluation of a mechanism's numbers, with derivatives by the parameters.
 #include <algorithm>
 #include <assur/mechanism/values.hpp>
 #include <assur/support/displaced_frame.hpp>
@@ -55,7 +56,7 @@ Values::Values(std::shared_ptr<const PlanData> plan,
   evaluate();
 }
 
-/// Everything, in the plan's order.
+/// Evaluates all numbers, in the plan's order.
 void Values::evaluate() {
   const plan::EvaluationOrder& order = plan_->evaluation;
   for (const ParameterIndex parameter : order.parameters) {
@@ -82,7 +83,7 @@ void Values::evaluate() {
   expect_limits();
 }
 
-/// Throws MechanismError where a lowest limit is above the highest one.
+/// Throws MechanismError if a lowest limit is above the highest one.
 void Values::expect_limits() const {
   for (const Joint& joint : plan_->mechanism.joints()) {
     if (joint.lowest.exists() &&
@@ -247,7 +248,7 @@ Dual Values::evaluated(NumberIndex index,
 
 void Values::expect_derivatives(NumberIndex index, const Dual& value) const {
   const std::string& part = plan_->mechanism.numbers()[index].part;
-  // Those that do not exist are unknown; see `pow` of two numbers.
+  // Derivatives that do not exist are unknown; see `pow` of two numbers.
   if (value.derivatives().array().isInf().any()) {
     throw MechanismError(part, "the derivative with respect to the parameters is not finite here");
   }
@@ -408,7 +409,7 @@ SlideMeasure<Dual> Values::slide_measure(GroupIndex group, int model_joint) cons
                                   model_joint, constant(0.0));
 }
 
-/// Evaluates half-widths, the covariance, and how far redundant constraints may fail to hold.
+/// Evaluates half-widths, the covariance, and the tolerance of redundant constraints.
 void Values::evaluate_requests() {
   const auto& parameters = plan_->mechanism.parameters();
   spread_.tolerances = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(parameters.size()));

@@ -1,5 +1,4 @@
-// Turns the answer to "where can this group stand?" into types: configurations, each with its
-// status.
+// Result types of the position analysis of a group: configurations and their status.
 #pragma once
 
 #include <array>
@@ -12,12 +11,12 @@ enum class [[nodiscard]] AssemblyStatus : unsigned char{
     ok,          ///< the list is complete; it is empty if the links cannot reach
     degenerate,  ///< no configuration is isolated: the group moves freely
     not_finite,  ///< an input is NaN or infinite, or the lengths differ by too many powers of ten
-    /// Rounding has no bound, because of how the program was compiled, without the compiler telling
-    /// (parts of -ffast-math), or how the processor is set, or the processor flushes such short
-    /// lengths to zero: nothing is listed.
+    /// Rounding errors have no bound: the program was compiled with parts of -ffast-math that the
+    /// compiler does not report, the processor's rounding mode is not the default, or it flushes
+    /// such short lengths to zero. Nothing is listed.
     unsound_arithmetic,
-    /// The precision does not decide how many configurations there are, and the program chose not
-    /// to use double: nothing is listed.
+    /// The precision does not determine the number of configurations, and the program chose not to
+    /// use double. Nothing is listed.
     unresolved};
 
 [[nodiscard]] constexpr const char* to_string(AssemblyStatus status) {
@@ -36,8 +35,8 @@ enum class [[nodiscard]] AssemblyStatus : unsigned char{
   return "unknown";
 }
 
-/// What is done where float does not decide how many configurations there are. In double this does
-/// not happen, because a search in special position settles the list.
+/// What to do if float does not determine the number of configurations. In double this does not
+/// happen, because the search in special position settles the list.
 enum class Unresolved : unsigned char {
   ask_double,  ///< the same group is solved in double, and its configurations are rounded
   refuse       ///< the status is `unresolved`, and no code in double is compiled
@@ -52,14 +51,14 @@ struct Assemblies {
   AssemblyStatus status = AssemblyStatus::ok;
   int count = 0;
   std::array<typename Model::template Configuration<Scalar>, capacity> configurations;
-  /// ok, or near_singular: the derivatives may keep fewer digits than `regularity` promises, six in
-  /// double and three in float, or configurations meet so closely that rounding of the inputs
-  /// decides whether they are two, one or none.
+  /// ok or near_singular. near_singular: the derivatives may have fewer correct digits than
+  /// `regularity` promises (six in double, three in float), or configurations are so close together
+  /// that rounding of the inputs decides whether there are two, one or none.
   std::array<Status, capacity> regularity{};
-  /// The greatest mobility of a family beside the listed configurations; zero without a family.
+  /// The greatest mobility of a family of configurations that is not listed; zero if there is none.
   int mobility = 0;
-  /// False where a configuration of a group with more than four links may be missing: fewer complex
-  /// configurations are enclosed than there are in general position.
+  /// False if a configuration of a group with more than four links may be missing: fewer complex
+  /// configurations were enclosed than exist in general position.
   bool complete = true;
 };
 

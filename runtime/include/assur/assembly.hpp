@@ -1,5 +1,4 @@
-// Turns a group's dimensions and inputs into all its configurations, in closed form and counted
-// with a certificate.
+// All assembly configurations of a group, in closed form, with a certificate of their number.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +20,8 @@ namespace assur {
 
 namespace detail {
 
-/// Whether the configurations of a model are found among its complex ones, as those of groups with
-/// more than four links are (support/loop_group.hpp).
+/// Whether the configurations of a model are selected from its complex ones, as for groups with
+/// more than four links (support/loop_group.hpp).
 template <typename Model, typename = void>
 inline constexpr bool is_searched_in_complex_numbers = false;
 template <typename Model>
@@ -34,8 +33,9 @@ void ask_double(const typename Model::template Dimensions<Scalar>& d,
                 const support::DisplacementOf<Scalar>& displaced,
                 Assemblies<Model, Scalar>& result);
 
-/// Every configuration, where the formula alone does not vouch for the list. Where float does not
-/// decide, a pair of floats may; where that does not decide either, the status is unresolved.
+/// All configurations where the formula alone does not certify the list. If float is not
+/// sufficient, a pair of floats is tried; if that is not sufficient either, the status is
+/// unresolved.
 template <typename Model, typename Scalar>
 [[gnu::noinline, gnu::cold]] void search(
     const typename Model::template Dimensions<Scalar>& dimensions,
@@ -65,7 +65,7 @@ template <typename Model, typename Scalar>
   const Scalar scale = support::scale_of(size);
   const auto d = support::scaled_to<Dimensions>(dimensions, scale);
   const auto u = support::scaled_to<Inputs>(inputs, scale);
-  // Lengths are near one, so a turn by an angle moves their ends by about as much.
+  // Lengths are near one, so a rotation moves their ends by about its angle.
   const Scalar off = (std::max)(displaced.moved * scale, displaced.turned);
   const Scalar held =
       support::counted_displacement(off, (std::max)(Scalar(1), displaced.reach * scale));
@@ -95,24 +95,25 @@ template <typename Model, typename Scalar>
 
 }  // namespace detail
 
-/// Every assembly configuration: all q with F(d, u, q) = 0, the closures F in the comment of the
-/// model. Lengths share any unit, directions among dimensions and inputs must be unit vectors;
-/// configurations are in the frame and the unit of the inputs. `displaced` tells how far rounding
-/// may have moved and turned any input, for example because another group was placed before, and
-/// the longest length from which the inputs were computed, if it is longer than the group.
+/// All assembly configurations: all q with F(d, u, q) = 0; the comment of the model states the
+/// closures F. All lengths have one unit, which is free; directions among dimensions and inputs
+/// must be unit vectors. Configurations are in the frame and the unit of the inputs. `displaced`
+/// bounds the translation and rotation of the inputs by earlier rounding, for example in the groups
+/// solved before, and holds the longest length from which the inputs were computed, if it exceeds
+/// the group.
 ///
-/// A final polynomial of first or second degree is solved by formula where its discriminant exceeds
-/// all rounding, that of the inputs included. The real roots of one of higher degree are isolated
-/// with such a bound. Where this does not settle the list, the group is searched as one in special
-/// position (see detail/special_search.hpp). Configurations that meet to within rounding are listed
-/// once and marked near_singular. The list and the verdicts on the derivatives count every
-/// coordinate as known only to its own rounding: far from the origin, or where rounding has
-/// displaced the inputs, fewer configurations are ok. Status: ok, also where the links cannot
-/// reach, with no configuration; degenerate; not_finite; unsound_arithmetic.
+/// A final polynomial of first or second degree is solved by formula if its discriminant exceeds
+/// all rounding errors, those of the inputs included. The real roots of one of higher degree are
+/// isolated with such a bound. If this does not settle the list, the group is searched as one in
+/// special position (see detail/special_search.hpp). Configurations that coincide to within
+/// rounding are listed once and marked near_singular. The list and the verdicts on the derivatives
+/// assume that every coordinate is known to its own rounding only: far from the origin, or if
+/// rounding has displaced the inputs, fewer configurations are ok. Status: ok, with no
+/// configuration if the links cannot be assembled; degenerate; not_finite; unsound_arithmetic.
 ///
-/// In float, `assemblies<Model, float>`, everything counts in roundings of float, and there is no
-/// search in special position. `unresolved` chooses what happens where that search is needed: the
-/// group is solved in double, and its configurations are rounded; or the status is `unresolved`.
+/// In float, `assemblies<Model, float>`, all bounds are in roundings of float, and there is no
+/// search in special position. If that search is needed, `unresolved` selects one of two: the group
+/// is solved in double and its configurations are rounded, or the status is `unresolved`.
 template <typename Model, typename Scalar = double, Unresolved unresolved = Unresolved::ask_double>
 [[nodiscard]] Assemblies<Model, Scalar> assemblies(
     const typename Model::template Dimensions<Scalar>& dimensions,
@@ -162,10 +163,9 @@ template <typename Model, typename Scalar>
 
 }  // namespace detail
 
-/// The least amount by which the loop closures fail, in the unit of the lengths, where the links
-/// cannot reach: the least of the minima of |F(d, u, q)|, over all closures together, that a search
-/// from several places finds. It is set if the status is ok; other statuses are not_finite and
-/// unsound_arithmetic.
+/// The closure gap of a group that cannot be assembled, in the unit of the lengths: the least local
+/// minimum of |F(d, u, q)|, over all closures together, found by a search from several starts. It
+/// is set if the status is ok; other statuses are not_finite and unsound_arithmetic.
 template <typename Model>
 [[nodiscard]] Status closure_gap(const typename Model::template Dimensions<double>& dimensions,
                                  const typename Model::template Inputs<double>& inputs,

@@ -1,5 +1,5 @@
-// Turns columns of dimensions and inputs of many groups of one model into columns of all their
-// configurations, several groups at once.
+// Configurations of many groups of one model, several groups at once, from columns of inputs to
+// columns of results.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace assur {
 
-/// Receives the assembly configurations of many groups, in arrays of the caller. `status[i]`,
-/// `count[i]` and `mobility[i]` are those that `Assemblies` has for group i.
+/// The caller's arrays for the assembly configurations of many groups. `status[i]`, `count[i]` and
+/// `mobility[i]` are those of `Assemblies` for group i.
 template <typename Model>
 struct BatchAssemblies {
   using Configuration = typename Model::template Configuration<double>;
@@ -23,7 +23,7 @@ struct BatchAssemblies {
   int* count = nullptr;
   int* mobility = nullptr;
   /// The regularity of configuration k of group i is at [k * stride + i]. Entries beyond a group's
-  /// count have no meaning.
+  /// count are undefined.
   Status* regularity = nullptr;
   /// Number p of configuration k of group i is at [(k * Columns<Configuration>::count + p) * stride
   /// + i].
@@ -37,7 +37,7 @@ struct BatchAssemblies {
 
 namespace detail {
 
-/// A batch of groups: what is given, and where the answers go.
+/// A batch of groups: inputs and results.
 template <typename Model>
 struct Batch {
   std::size_t count;
@@ -45,7 +45,7 @@ struct Batch {
   Columns<const typename Model::template Inputs<double>> inputs;
   BatchAssemblies<Model> result;
 
-  /// Solves one group by itself.
+  /// Solves one group alone.
   [[gnu::noinline]] void solve_alone(std::size_t group) const {
     const Assemblies<Model> found =
         assemblies<Model>(group_of(dimensions, group), group_of(inputs, group));
@@ -59,8 +59,8 @@ struct Batch {
   }
 };
 
-/// Solves as many groups from `first` on as fill a pack. Returns a bit for each, set where the
-/// group needs to be solved by itself.
+/// Solves one pack of groups, from `first` on. Returns a bit for each, set if the group must be
+/// solved alone.
 template <typename Model, std::size_t Lanes>
 [[nodiscard, gnu::flatten]] unsigned solve_closed_pack(const Batch<Model>& batch,
                                                        std::size_t first) {
@@ -84,8 +84,8 @@ template <typename Model, std::size_t Lanes>
   return (!found.settled).bits();
 }
 
-/// Solves all groups pack by pack; the last pack overlaps the one before. Returns how many were
-/// solved by themselves.
+/// Solves all groups pack by pack; the last pack overlaps the previous one. Returns how many were
+/// solved alone.
 template <typename Model, std::size_t Lanes>
 [[nodiscard]] std::size_t solve_closed(const Batch<Model>& batch) {
   std::size_t alone = 0;
@@ -108,7 +108,7 @@ template <typename Model, std::size_t Lanes>
   batch::GeneralBlock<Model, Lanes> block;
   std::size_t alone = 0;
   for (std::size_t solved = 0; solved < batch.count;) {
-    // A block that does not fill its packs overlaps with the one before, if that is possible.
+    // A block that does not fill its packs overlaps the previous one, if there is one.
     const std::size_t most = (std::min)(batch.count - solved, block.capacity);
     const std::size_t left = solved < Lanes ? most / Lanes * Lanes : most;
     const std::size_t filled = (left + Lanes - 1) / Lanes * Lanes;
@@ -137,10 +137,10 @@ template <typename Model, std::size_t Lanes>
 
 }  // namespace detail
 
-/// Finds every assembly configuration of `count` groups of a model: for each group those that
-/// `assemblies` finds, with the same status and in the same order, to within rounding. `Lanes`
-/// groups are solved at once; a group whose list is not certain in this way is solved by itself.
-/// Returns the number of groups that were solved by themselves.
+/// Finds all assembly configurations of `count` groups of a model: for each group those of
+/// `assemblies`, with the same status and in the same order, to within rounding. `Lanes` groups are
+/// solved at once; a group whose list is not certain in this way is solved alone. Returns the
+/// number of groups that were solved alone.
 template <typename Model, std::size_t Lanes = numeric::native_lanes>
 std::size_t assemblies(std::size_t count,
                        const Columns<const typename Model::template Dimensions<double>>& dimensions,

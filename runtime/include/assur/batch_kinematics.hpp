@@ -1,5 +1,5 @@
-// Turns columns of assembled configurations of one model into columns of their sensitivities and
-// rates, several configurations at once.
+// Sensitivities and rates of many assembled configurations of one model, several configurations at
+// once.
 #pragma once
 
 #include <algorithm>
@@ -28,8 +28,8 @@ struct BatchRates {
   std::size_t stride = 0;
 };
 
-/// Receives sensitivities: dq/dd and dq/du, entry (row, column) of configuration i at
-/// [(row + column * unknown_count) * stride + i], set where the status is ok or near_singular.
+/// The caller's arrays for dq/dd and dq/du: entry (row, column) of configuration i is at [(row +
+/// column * unknown_count) * stride + i], set if the status is ok or near_singular.
 struct BatchSensitivities {
   Status* status = nullptr;
   double* to_dimensions = nullptr;
@@ -37,8 +37,8 @@ struct BatchSensitivities {
   std::size_t stride = 0;
 };
 
-/// Receives rates: dq/dt and d2q/dt2. The rate of unknown p of configuration i is at
-/// [p * stride + i], set where the status is ok or near_singular.
+/// The caller's arrays for dq/dt and d2q/dt2: the rate of unknown p of configuration i is at [p *
+/// stride + i], set if the status is ok or near_singular.
 struct BatchMotion {
   double* velocity = nullptr;
   double* acceleration = nullptr;
@@ -80,7 +80,7 @@ void put_matrix(const Matrix<double, Rows, Columns>& matrix, double* to, std::si
   }
 }
 
-/// Adds variables, or the entries of a vector, to the numbers that are checked for being finite.
+/// Includes variables, or the entries of a vector, in the check for finite numbers.
 template <typename Pack, template <typename> class Variables>
 [[gnu::always_inline]] inline void look_at(const Variables<Pack>& variables,
                                            FiniteNumbers<Pack>& numbers) {
@@ -93,8 +93,8 @@ template <typename Pack, int Rows>
                                            FiniteNumbers<Pack>& numbers) {
   for_each_place<Rows>([&](std::size_t row) { numbers.look_at(vector.data()[row], row); });
 }
-/// The lanes in which all numbers are finite and the configuration is certainly regular. It is
-/// called before the derivatives are computed, so that they have the registers to themselves.
+/// The lanes in which all numbers are finite and the configuration is certainly regular. Called
+/// before the derivatives are computed, so that both do not compete for registers.
 template <typename Model, typename Pack, typename... Rates>
 [[nodiscard, gnu::always_inline]] inline auto are_certain(
     const typename Model::template Dimensions<Pack>& d,
@@ -152,10 +152,10 @@ void put_sensitivities(const Sensitivities<Model, double>& sensitive,
   put_matrix(sensitive.to_inputs, result.to_inputs, result.stride, index);
 }
 
-/// Calls `several` with the index of the first configuration of each pack. It makes no calls of its
-/// own, which would leave packs in memory, and returns a bit for each configuration that is
-/// doubtful; `alone` is called with the index of each of these. The last pack overlaps the one
-/// before.
+/// Calls `several` with the index of the first configuration of each pack; it returns a bit for
+/// each doubtful configuration, and `alone` is called with the index of each of these. `several`
+/// must make no calls of its own, which would spill packs to memory. The last pack overlaps the
+/// previous one.
 template <std::size_t Lanes, typename Several, typename Alone>
 void for_each_pack(std::size_t count, const Several& several, const Alone& alone) {
   if (count < Lanes) {
@@ -177,8 +177,8 @@ void for_each_pack(std::size_t count, const Several& several, const Alone& alone
 
 }  // namespace detail::batch
 
-/// Computes dq/dd and dq/du of `count` assembled configurations, with the status that
-/// `sensitivities` gives each. `Lanes` are computed at once, doubtful ones one by one.
+/// Computes dq/dd and dq/du of `count` assembled configurations, each with the status of
+/// `sensitivities`. `Lanes` configurations are computed at once, doubtful ones alone.
 template <typename Model, std::size_t Lanes = numeric::native_lanes>
 void sensitivities(std::size_t count, const BatchConfigurations<Model>& given,
                    const BatchSensitivities& result) {
@@ -206,8 +206,7 @@ void sensitivities(std::size_t count, const BatchConfigurations<Model>& given,
       });
 }
 
-/// Computes dq/dt and d2q/dt2 for the rates of the inputs, with the status that `motion` gives
-/// each.
+/// Computes dq/dt and d2q/dt2 for the rates of the inputs, each with the status of `motion`.
 template <typename Model, std::size_t Lanes = numeric::native_lanes>
 void motion(std::size_t count, const BatchConfigurations<Model>& given, const BatchRates& rates,
             Status* status, const BatchMotion& result) {
@@ -240,7 +239,7 @@ void motion(std::size_t count, const BatchConfigurations<Model>& given, const Ba
       });
 }
 
-/// Computes both at once, with the status that `sensitivities_and_motion` gives each.
+/// Computes both at once, each with the status of `sensitivities_and_motion`.
 template <typename Model, std::size_t Lanes = numeric::native_lanes>
 void sensitivities_and_motion(std::size_t count, const BatchConfigurations<Model>& given,
                               const BatchRates& rates, const BatchSensitivities& result,

@@ -1,4 +1,4 @@
-// A point of a branch, and the point where a branch begins.
+// Start of a branch, and points of a branch: configurations with derivatives and pivots.
 #pragma once
 
 #include <assur/detail/pivots.hpp>
@@ -7,7 +7,7 @@
 
 namespace assur {
 
-/// Where a model's inputs are and how they move with a parameter.
+/// The values of a model's inputs and their derivatives with respect to a parameter.
 template <typename Model, typename Scalar = double>
 struct InputMotion {
   typename Model::template Inputs<Scalar> u;
@@ -15,22 +15,22 @@ struct InputMotion {
   Vector<Scalar, Model::input_count> second_rate;
 };
 
-/// A point of a branch: a configuration and its derivatives to the parameter.
+/// A point of a branch: a configuration and its derivatives with respect to the parameter.
 template <typename Model, typename Scalar = double>
 struct BranchPoint {
-  /// ok, or near_singular where the derivatives may keep fewer digits than `regularity` promises;
-  /// with any other status there are no derivatives, and nothing can be tracked from here. singular
-  /// also where velocities are not known: the branch may be any of those that meet there.
+  /// ok; near_singular if the derivatives may have fewer correct digits than `regularity` promises.
+  /// With any other status there are no derivatives, and no branch can be tracked from here.
+  /// singular also if velocities are undetermined: the branch may be any of those that meet there.
   Status status = Status::singular;
   typename Model::template Configuration<Scalar> q;
-  Motion<Model, Scalar> motion;  ///< set where the status is ok or near_singular
-  /// The pivots of the structured elimination: where one vanishes, J is singular, and this branch
-  /// may meet others. Zero where the status is not ok or near_singular.
+  Motion<Model, Scalar> motion;  ///< set if the status is ok or near_singular
+  /// The pivots of the structured elimination: if one vanishes, J is singular, and this branch may
+  /// meet others. Zero unless the status is ok or near_singular.
   Vector<Scalar, Model::pivot_count> pivots = Vector<Scalar, Model::pivot_count>::Zero();
 };
 
-/// Where a branch begins: a configuration that `assemblies` or `refine` found, F(d, u, q) = 0, with
-/// its derivatives q' = dq/dt and q'' for inputs that move with a parameter t.
+/// The start of a branch: a configuration from `assemblies` or `refine`, F(d, u, q) = 0, with its
+/// derivatives q' = dq/dt and q'' for inputs that depend on a parameter t.
 template <typename Model, typename Scalar = double>
 [[nodiscard]] BranchPoint<Model, Scalar> branch_point(
     const typename Model::template Dimensions<Scalar>& d, const InputMotion<Model, Scalar>& inputs,

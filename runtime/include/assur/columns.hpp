@@ -1,4 +1,4 @@
-// Turns the variables of many groups into columns of numbers, one group after the other.
+// Variables of many groups as columns of numbers (a structure of arrays).
 #pragma once
 
 #include <assur/detail/numbers.hpp>
@@ -7,10 +7,10 @@
 
 namespace assur {
 
-/// Variables of many groups as a structure of arrays: data[p * stride + i] is number p of group i,
-/// in the order of `members`; a direction is two numbers, its cosine and its sine. `Variables` is a
-/// model's Dimensions, Inputs or Configuration, const where it is only read. A stride that is a
-/// multiple of 512 puts all numbers of a group into the same few lines of a processor's cache.
+/// data[p * stride + i] is number p of group i, in the order of `members`; a direction is two
+/// numbers, its cosine and its sine. `Variables` is a model's Dimensions, Inputs or Configuration,
+/// const if it is only read. A stride that is a multiple of 512 is slow: it maps all numbers of a
+/// group to the same few cache lines.
 template <typename Variables>
 struct Columns {
   using Scalar = typename detail::ScalarOf<std::remove_const_t<Variables>>::Type;

@@ -1,4 +1,4 @@
-// Turns angles into directions, and directions by one another.
+// Angles as unit vectors (cos, sin), and their sums and differences.
 //
 // The functions are total: none of them divides, and an input that is not finite makes a result
 // that is not finite.
@@ -38,7 +38,7 @@ template <typename Scalar>
   return {direction.cos, -direction.sin};
 }
 
-/// The direction scaled back to the unit circle, to first order: for pairs that rounding moved.
+/// The direction scaled back to the unit circle, to first order, to remove rounding errors.
 template <typename Scalar>
 [[nodiscard]] constexpr Direction<Scalar> normalised(const Direction<Scalar>& direction) {
   const Scalar square = direction.cos * direction.cos + direction.sin * direction.sin;

@@ -1,4 +1,5 @@
-// Turns an assembled configuration into sensitivities, rates and Newton steps, each with a status.
+// First-order kinematics of an assembled configuration: regularity, sensitivities, rates and
+// Newton's method.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,12 +21,11 @@ namespace assur {
 ///
 /// Rounding moves an assembled configuration by about eps/firmness. Firmness is the core's
 /// determinant over its largest possible size, times the square of the smallest other pivot over
-/// the square of its largest possible size: an unknown that a small pivot leaves loose is long and
-/// has a large rounding. That, and rounding in the determinant, change the derivatives by about
-/// eps/(firmness * kept), where kept is the determinant over the size of its terms.
-/// `derivative_error_constant` is the measured factor of "about". `displaced` is how far the inputs
-/// are already off, in parts of the group's longest length: in a chain, by the rounding of the
-/// groups that come first.
+/// the square of its largest possible size: a small pivot makes an unknown large, and so its
+/// rounding. That, and rounding in the determinant, change the derivatives by about eps/(firmness *
+/// kept), where kept is the determinant over the size of its terms. `derivative_error_constant` is
+/// the measured factor of "about". `displaced` is the error of the inputs, divided by the group's
+/// longest length: in a chain, that from the preceding groups.
 ///
 /// `ok` promises six digits of the derivatives in double, three in float. In float, configurations
 /// that are not regular by the pivots are examined again (see detail/second_look.hpp).
@@ -42,14 +42,14 @@ template <typename Model, typename Scalar>
                                               displaced);
 }
 
-/// The inverse of the loop Jacobian J = dF/dq, for any right-hand side. Its status is that of all
+/// The inverse of the loop Jacobian J = dF/dq, for any right-hand side. Its status applies to all
 /// solutions computed with it.
 template <typename Model, typename Scalar>
 class InverseJacobian {
  public:
   static constexpr int size = Model::unknown_count;
 
-  /// `displaced` has the meaning that it has in `regularity`.
+  /// `displaced` as in `regularity`.
   InverseJacobian(const typename Model::template Dimensions<Scalar>& d,
                   const typename Model::template Inputs<Scalar>& u,
                   const typename Model::template Configuration<Scalar>& q,
@@ -64,10 +64,10 @@ class InverseJacobian {
 
   [[nodiscard]] Status status() const { return regularity_.status; }
   [[nodiscard]] Scalar margin() const { return regularity_.margin; }
-  /// Whether J has an inverse, as far as this is known in spite of rounding.
+  /// Whether J has an inverse, certified despite rounding.
   [[nodiscard]] bool solvable() const { return is_solvable(status()); }
 
-  /// X with J X = rhs; NaN where J is not solvable().
+  /// X with J X = rhs; NaN unless solvable().
   template <int Columns>
   [[nodiscard]] Matrix<Scalar, size, Columns> solve(
       const Matrix<Scalar, size, Columns>& rhs) const {
@@ -79,7 +79,8 @@ class InverseJacobian {
   Matrix<Scalar, size, size> inverse_;
 };
 
-/// dq/dd and dq/du: how an assembled configuration follows the dimensions and the inputs.
+/// dq/dd and dq/du: derivatives of an assembled configuration with respect to dimensions and
+/// inputs.
 template <typename Model, typename Scalar>
 struct Sensitivities {
   Matrix<Scalar, Model::unknown_count, Model::dimension_count> to_dimensions;
@@ -120,8 +121,8 @@ struct Motion {
   Vector<Scalar, Model::unknown_count> acceleration;
 };
 
-/// dq/dt and d2q/dt2 for the first and second rates of the inputs, the dimensions held. The result
-/// is set where the status is ok or near_singular.
+/// dq/dt and d2q/dt2 for the first and second rates of the inputs, at constant dimensions. The
+/// result is set if the status is ok or near_singular.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status motion(const typename Model::template Dimensions<Scalar>& d,
                             const typename Model::template Inputs<Scalar>& u,
@@ -154,8 +155,8 @@ template <typename Model, typename Scalar>
 }
 
 /// d3q/dt3 for the third rates of the inputs, with the lower rates from `motion`. The result is set
-/// where the status is ok or near_singular. A model's header holds what this needs on request:
-/// `assur emit --model N --with jerk`.
+/// if the status is ok or near_singular. The model's header must be emitted with `assur emit
+/// --model N --with jerk`.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status jerk(const typename Model::template Dimensions<Scalar>& d,
                           const typename Model::template Inputs<Scalar>& u,
@@ -179,9 +180,9 @@ template <typename Model, typename Scalar>
   return inverse.status();
 }
 
-/// Newton's iteration from a guess to the loop closure, until the step is at rounding level. An
-/// angle moves by at most half a radian a step. On `ok` and `near_singular` the configuration is
-/// assembled; otherwise it is the last iterate. Newton may settle on any branch.
+/// Newton's method on the loop closures from a guess, until the step is at rounding level. An angle
+/// moves by at most half a radian per step. With `ok` and `near_singular` the configuration is
+/// assembled; otherwise it is the last iterate. The iteration may converge to any branch.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status refine(const typename Model::template Dimensions<Scalar>& d,
                             const typename Model::template Inputs<Scalar>& u,
@@ -214,8 +215,8 @@ template <typename Model, typename Scalar>
       detail::limit_turns<Model, Scalar>(J, step);
     }
     advance(q, step);
-    // Close to the solution the steps shrink quadratically until rounding stops them, at about
-    // eps over the square root of the margin.
+    // Close to the solution the steps shrink quadratically down to rounding, about eps over the
+    // square root of the margin.
     const bool small = largest_turn < Scalar(1e3) * epsilon / sqrt(jacobian.margin());
     if (longest == Scalar(0) || (small && !(longest < previous / Scalar(2)))) {
       return jacobian.status();

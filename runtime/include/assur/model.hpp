@@ -1,5 +1,4 @@
-// Turns numbers into the vocabulary of generated models: directions, poses, and the tables of
-// model_tables.hpp.
+// Types of generated models: directions, poses, trigonometric polynomials and constants.
 #pragma once
 
 #include <Eigen/Core>

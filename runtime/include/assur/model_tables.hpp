@@ -1,4 +1,4 @@
-// Turns the structure of a model into tables: its variables, links, joints and kinds.
+// Tables of a model's structure: variables, links, joints and kinds.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct ModelUnknown {
   int owner;  ///< index of the link whose angle it is, or of the joint that slides
 };
 
-/// The base, to which external joints attach, in place of a link index.
+/// Stands for the base, to which external joints attach, in place of a link index.
 inline constexpr int base_link = -1;
 
 /// A joint of a model: the links it joins (`first` may be the base) and its type.
@@ -36,7 +36,7 @@ struct ModelLink {
   std::array<int, 3> joints;
 };
 
-/// A kind, and which joint of the model each of its joints plays.
+/// A kind, and the joint of the model that corresponds to each of its joints.
 template <int Joints>
 struct KindRoles {
   const char* kind;

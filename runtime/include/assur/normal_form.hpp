@@ -1,4 +1,4 @@
-// Turns a link's features, in any local frame, into the link's normal frame and its dimensions.
+// Normal frame and dimensions of a link from its features in any local frame.
 #pragma once
 
 #include <array>
@@ -22,14 +22,14 @@ struct LinkFeature {
   Direction<Scalar> along{};  ///< of a line; a unit vector
 };
 
-/// A dimension's value before it is put into a model's Dimensions.
+/// The value of a dimension, before assignment to a model's Dimensions.
 template <typename Scalar>
 struct DimensionValue {
   bool is_angle = false;
   Scalar length{};
   Direction<Scalar> angle{};
 
-  /// Puts the value into a variable of a model, which is a length or an angle.
+  /// Assigns the value to a variable of a model, a length or an angle.
   void put_into(Scalar& member) const { member = length; }
   void put_into(Direction<Scalar>& member) const { member = angle; }
 };
@@ -39,8 +39,8 @@ struct DimensionValue {
 template <typename Scalar>
 struct NormalForm {
   Pose<Scalar> frame;  ///< the normal frame in the given frame
-  /// The dimensions in the order of a model's Dimensions: for each joint, a line's angle and
-  /// offset or a point's coordinates, as far as the frame does not fix them.
+  /// The dimensions in the order of a model's Dimensions: for each joint, a line's angle and offset
+  /// or a point's coordinates, except those that the frame fixes.
   std::array<DimensionValue<Scalar>, 3> dimensions;
   int dimension_count = 0;
   /// For each line: from the foot of the perpendicular from the origin to the given point, along
@@ -49,10 +49,10 @@ struct NormalForm {
   std::array<Scalar, 3> shift{};
 };
 
-/// The dimensions and shifts of a link whose normal frame is known. What the frame fixes is not
-/// measured: the first line's angle and offset or the first point's place and, on a link without
-/// lines or without points, the second point's direction or the second line's offset. The status is
-/// singular, and nothing is set, unless there are two or three joints.
+/// The dimensions and shifts of a link in a given normal frame. The quantities that the frame fixes
+/// are left out: the first line's angle and offset or the first point's coordinates and, on a link
+/// without lines or without points, the second point's direction or the second line's offset. The
+/// status is singular, and nothing is set, unless there are two or three joints.
 template <typename Scalar>
 [[nodiscard]] Status measure_in_frame(const std::array<LinkFeature<Scalar>, 3>& features,
                                       std::size_t joints, NormalForm<Scalar>& result) {
@@ -97,12 +97,11 @@ template <typename Scalar>
   return Status::ok;
 }
 
-/// Brings a link of two or three joints, `count` of them, into its normal form; all features, and
-/// the normal frame, are given in one frame. Set where the status is ok. singular: the link has
-/// lines only, of which the first two are parallel, so that the group is degenerate or a
-/// relabelling is needed; or there are not two or three features. not_finite: a feature is not
-/// finite, or the link has points only, and the square of the distance of the first two leaves the
-/// range of the scalar.
+/// The normal form of a link with `count` joints, two or three; all features, and the normal frame,
+/// are given in one frame. Set if the status is ok. singular: the link has only lines, of which the
+/// first two are parallel, so that the group is degenerate or must be relabelled; or there are not
+/// two or three features. not_finite: a feature is not finite, or the link has only points, and the
+/// square of the distance of the first two overflows or underflows.
 template <typename Scalar>
 [[nodiscard]] Status normal_form(const std::array<LinkFeature<Scalar>, 3>& features, int count,
                                  NormalForm<Scalar>& result) {
@@ -140,7 +139,7 @@ template <typename Scalar>
     if (!detail::is_number(axis_length)) {
       return Status::not_finite;
     }
-    // Where the first two points coincide, any axis will do.
+    // If the first two points coincide, any axis will do.
     if (axis_length > Scalar(0)) {
       axis = {dx / axis_length, dy / axis_length};
     } else if (!(dx == Scalar(0) && dy == Scalar(0))) {
@@ -167,8 +166,8 @@ template <typename Scalar>
 }
 
 /// Fills a model's Dimensions from the normal forms of its links, in the order of Model::links. The
-/// dimensions are set where the status is ok. singular: the forms do not have as many dimensions
-/// as the model, because a link has no normal form or is of another model.
+/// dimensions are set if the status is ok. singular: the forms do not have as many dimensions as
+/// the model, because a link has no normal form or belongs to another model.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status fill_dimensions(
     const std::array<NormalForm<Scalar>, detail::size(Model::link_count)>& links,

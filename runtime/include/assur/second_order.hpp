@@ -1,5 +1,5 @@
-// Turns directions in a model's dimensions and inputs into second derivatives of a configuration
-// and of its links' frames.
+// Second derivatives of a configuration and of its links' frames along directions in dimensions and
+// inputs.
 #pragma once
 
 #include <assur/kinematics.hpp>
@@ -7,8 +7,8 @@
 
 namespace assur {
 
-/// First derivatives along one direction x: the rates that the caller gives the dimensions d and
-/// the inputs u, and the rates of the unknowns q and of the link frames p that follow from them.
+/// First derivatives along one direction x: those of the dimensions d and the inputs u, which the
+/// caller sets, and the resulting ones of the unknowns q and the link frames p.
 template <typename Model, typename Scalar>
 struct FirstDerivative {
   Vector<Scalar, Model::dimension_count> d;
@@ -24,8 +24,8 @@ struct SecondDerivative {
   Vector<Scalar, 3 * Model::link_count> p;  ///< (x, y, theta) link by link
 };
 
-/// The second order of an assembled configuration, on demand: with J factored once, any number of
-/// directions. Every result is set where its status is ok or near_singular.
+/// Second derivatives of an assembled configuration, on demand: J is factored once, for any number
+/// of directions. Every result is set if its status is ok or near_singular.
 ///
 ///     const SecondOrder<Model, double> order(d, u, q);
 ///     FirstDerivative<Model, double> x, y;        // first: d and u along each direction
@@ -85,7 +85,7 @@ class SecondOrder {
       return Status::not_finite;
     }
     // A quadratic form Q has the bilinear form (Q(x + y) - Q(x - y))/4. The difference loses digits
-    // where one of x and y is longer than the other, so both are scaled to one length.
+    // if one of x and y is longer than the other, so both are scaled to one length.
     const Scalar length_x = length(x);
     const Scalar length_y = length(y);
     Equations rhs = -(f_d_ * d_xy) - f_u_ * u_xy;
@@ -102,7 +102,7 @@ class SecondOrder {
     return status();
   }
 
-  /// Finds the same if d and u depend linearly on what varies.
+  /// The same with d_xy = 0 and u_xy = 0.
   [[nodiscard]] Status second(const First& x, const First& y, Second& result) const {
     return second(x, y, DimensionRates::Zero(), InputRates::Zero(), result);
   }

@@ -1,4 +1,4 @@
-// Turns a singular configuration and a motion of the group's variables into the singularity's type.
+// Type of a singular configuration along a given motion: fold or crossing.
 #pragma once
 
 #include <Eigen/SVD>
@@ -18,15 +18,15 @@ enum class SingularityType : unsigned char {
 /// A singularity along a motion dd/dt, du/dt.
 template <typename Scalar>
 struct Singularity {
-  /// ok: the rest is set. singular: J vanishes, and no direction is nearer to its range than
-  /// another. not_finite.
+  /// ok: the other members are set. singular: J vanishes, and no direction is nearer to its range
+  /// than another. not_finite.
   Status status = Status::singular;
   SingularityType type = SingularityType::fold;
-  /// |w F_t| / |F_t| for the unit left null vector w of J and F_t = F_d dd/dt + F_u du/dt: how far
-  /// the motion leaves the closures' range. Zero at a crossing.
+  /// |w F_t| / |F_t| for the unit left null vector w of J and F_t = F_d dd/dt + F_u du/dt: the
+  /// distance of the motion from the range of J. Zero at a crossing.
   Scalar transversality = Scalar(0);
-  /// Smallest over largest singular value of J with its columns scaled: how near the singularity
-  /// is.
+  /// Ratio of the smallest to the largest singular value of J with scaled columns: the distance
+  /// from the singularity.
   Scalar distance = Scalar(0);
 };
 

@@ -1,5 +1,5 @@
-// Turns a configuration into velocities and accelerations by special Assur points, as Quintero,
-// Calle, Diaz and Henao published it: a vector diagram for each point, then one system of lengths.
+// Velocities and accelerations by special Assur points, as published by Quintero, Calle, Diaz and
+// Henao: a vector diagram for each point, then one system of lengths.
 #pragma once
 
 #include <Eigen/LU>
@@ -13,7 +13,7 @@
 
 namespace assur {
 
-/// The special points of a configuration and the system of lengths that they give.
+/// The special points of a configuration and the resulting system of lengths.
 ///
 /// A closure link is reached from two sides, i = 1 and 2. At the special point S of the link, where
 /// the lines n_i . S = c_i of both sides cross, all unknowns move the point along the unit normal
@@ -60,10 +60,10 @@ class SpecialPointSystem {
   }
 
   [[nodiscard]] Status status() const { return status_; }
-  /// Whether L has an inverse, as far as this is known in spite of rounding.
+  /// Whether L has an inverse, certified despite rounding.
   [[nodiscard]] bool solvable() const { return is_solvable(status_); }
 
-  /// Whether the points are known, even where the rates are not.
+  /// Whether the points are determined, even if the rates are not.
   [[nodiscard]] bool has_points() const { return solvable() || status_ == Status::singular; }
   /// The special points, one row per closure link, from the origin of its link's frame.
   [[nodiscard]] const Matrix<Scalar, points, 2>& places() const { return points_; }
@@ -77,8 +77,8 @@ class SpecialPointSystem {
   /// Reciprocal of condition(L) in the 1-norm, columns scaled as those of J; zero if unknown.
   [[nodiscard]] Scalar reciprocal_condition() const { return reciprocal_condition_; }
 
-  /// The vector diagram: sums a_i of each point with known_1 + a_1 n_1 = known_2 + a_2 n_2; NaN
-  /// where the points are not known.
+  /// The vector diagram: sums a_i of each point with known_1 + a_1 n_1 = known_2 + a_2 n_2; NaN if
+  /// the points are not determined.
   [[nodiscard]] Vector<Scalar, sides> sums(const Matrix<Scalar, sides, 2>& known) const {
     Vector<Scalar, sides> result;
     if (!has_points()) {
@@ -95,7 +95,7 @@ class SpecialPointSystem {
     }
     return result;
   }
-  /// q' with L q' = sums; NaN where L is not solvable().
+  /// q' with L q' = sums; NaN unless solvable().
   [[nodiscard]] Vector<Scalar, size> solve(const Vector<Scalar, sides>& sums) const {
     if (!solvable()) {
       return Vector<Scalar, size>::Constant(std::numeric_limits<Scalar>::quiet_NaN());
@@ -182,7 +182,7 @@ class SpecialPointSystem {
 };
 
 /// The special points in the fixed frame, one row per closure link in the order of the links. The
-/// result is set where the status is ok, near_singular or singular.
+/// result is set if the status is ok, near_singular or singular.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status special_points(const typename Model::template Dimensions<Scalar>& d,
                                     const typename Model::template Inputs<Scalar>& u,
@@ -201,8 +201,8 @@ template <typename Model, typename Scalar>
   return system.status();
 }
 
-/// Solves by special points what `motion` solves by the Jacobian. The result is set if the status
-/// is ok or near_singular.
+/// The rates of `motion`, by special points instead of the Jacobian. The result is set if the
+/// status is ok or near_singular.
 template <typename Model, typename Scalar>
 [[nodiscard]] Status special_point_motion(const typename Model::template Dimensions<Scalar>& d,
                                           const typename Model::template Inputs<Scalar>& u,

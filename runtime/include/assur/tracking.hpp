@@ -1,4 +1,4 @@
-// Turns a configuration of moving inputs into that of the same branch further on.
+// Continuation of a configuration along its branch while the inputs move.
 #pragma once
 
 #include <algorithm>
@@ -12,26 +12,26 @@
 
 namespace assur {
 
-/// How far a branch was followed.
+/// The result of following a branch.
 template <typename Model, typename Scalar = double>
 struct Track {
-  /// ok: `point` is that of the branch at the end of the way. no_convergence: within 0.2% of the
-  /// way from `reached` the branch ends or comes too close to another; `assemblies` tells what
-  /// follows. not_finite: a dimension, an end of the way, or the inputs next to `reached` are not
-  /// finite. Or the status of a start that is not solvable.
+  /// ok: `point` is the point of the branch at `to`. no_convergence: within 0.2% of the path beyond
+  /// `reached` the branch ends or comes too close to another; `assemblies` finds the configurations
+  /// there. not_finite: a dimension, an end of the path, or the inputs next to `reached` are not
+  /// finite. Otherwise the status of a start that is not solvable.
   Status status = Status::singular;
   Scalar reached = 0;  ///< the parameter at `point`
   BranchPoint<Model, Scalar>
-      point;  ///< the last point that is certainly on the branch, or else the start
+      point;  ///< the last point certain to lie on the branch; otherwise the start
 };
 
 /// Follows a branch from its point `start` at the parameter `from` to the parameter `to`;
-/// `path(value)` gives the inputs' motion, an InputMotion, at a value between them. `d` are the
-/// dimensions that `branch_point` had.
+/// `path(value)` returns the InputMotion at a value between them. `d` are the dimensions given to
+/// `branch_point`.
 ///
-/// Steps are shortened until prediction, correction and the derivatives at both ends agree. A
-/// change to a branch that this one could meet would show in the sign of det J; that other branches
-/// are far enough away is experience, not proof: docs/reports/performance.md counts.
+/// Steps are shortened until prediction, correction and the derivatives at both ends agree. A jump
+/// to a branch that can meet this one would change the sign of det J; that other branches are far
+/// enough away is tested, not proved (docs/reports/performance.md).
 template <typename Model, typename Scalar = double, typename Path>
 [[nodiscard]] Track<Model, Scalar> track(const typename Model::template Dimensions<Scalar>& d,
                                          const Path& path, std::common_type_t<Scalar> from,
@@ -47,14 +47,14 @@ template <typename Model, typename Scalar = double, typename Path>
   }
   const Scalar longest = longest_length(d);
   const Scalar inverse_size = longest > 0 ? 1 / longest : (std::numeric_limits<Scalar>::max)();
-  // A shorter step might not change a parameter of this size.
+  // A shorter step might leave a parameter of this size unchanged.
   const Scalar shortest = (std::max)(
       std::abs(to - from) * detail::StepLimits<Scalar>().shortest,
       2 * std::numeric_limits<Scalar>::epsilon() * (std::max)(std::abs(from), std::abs(to)));
   Scalar width = to - from;
   InputMotion<Model, Scalar> reached_inputs = path(from);
-  // Where a step was refused the branch may end, like a square root of what is left of the way.
-  // That is its first derivative over twice its second, and the next step goes most of it.
+  // A refused step may mean that the branch ends, like the square root of the remaining distance.
+  // That distance is its first derivative over twice its second; the next step covers most of it.
   const auto before_end = [&](Scalar step) {
     const auto& motion = way.point.motion;
     const Scalar left = detail::turn_of<Model, Scalar>(motion.velocity, inverse_size) /
@@ -62,7 +62,8 @@ template <typename Model, typename Scalar = double, typename Path>
     const Scalar most = (std::max)(Scalar(0.75) * left, Scalar(1.5) * shortest);
     return std::copysign((std::min)(std::abs(step), most), step);
   };
-  // Inputs that are at rest in one place at both ends of a step may have gone round in between.
+  // Inputs at rest in the same position at both ends of a step may have made a full turn in
+  // between.
   const auto goes_round = [&](const InputMotion<Model, Scalar>& there, Scalar next) {
     const auto stays = [&reached_inputs](const auto& u) {
       return detail::largest_difference<Scalar>(reached_inputs.u, u) <=
@@ -87,7 +88,7 @@ template <typename Model, typename Scalar = double, typename Path>
       halved = false;
       continue;
     }
-    // Values that are not finite make no step, so they are looked for only where one was refused.
+    // A step with values that are not finite is refused, so they are checked only after a refusal.
     if (!is_finite(d) || !is_finite(inputs.u) || !is_finite(inputs.rate) ||
         !is_finite(inputs.second_rate)) {
       way.status = Status::not_finite;

@@ -1,4 +1,4 @@
-// Turns a model's variables and a step into moved variables: angles turn, and lengths shift.
+// Elementwise operations on a model's variables: steps, largest length, norm and finiteness.
 //
 // All functions are total: none of them divides, and an input that is not finite makes a result
 // that is not finite.
@@ -22,8 +22,8 @@ constexpr void for_each_member(Variables& variables, Use&& use) {
   detail::visit(variables.members(), use);
 }
 
-/// Calls `use` with the variables of two lists that have the same place in both: of a model's
-/// Dimensions in two scalars, say, or of two of its configurations.
+/// Calls `use` with corresponding variables of two lists: of a model's Dimensions in two scalars,
+/// say, or of two configurations.
 template <typename One, typename Other, typename Use>
 constexpr void for_each_pair(One& one, Other& other, Use&& use) {
   detail::visit_both(one.members(), other.members(), use);

@@ -1,7 +1,7 @@
-// Turns the version of the runtime into macros, for the preprocessor, and into text.
+// Version of the runtime, as macros and as text.
 #pragma once
 
-/// The version of the headers; a minor version may change what they promise, a patch does not.
+/// The version of the headers; a minor version may change the interface, a patch does not.
 #define ASSUR_VERSION_MAJOR 0
 #define ASSUR_VERSION_MINOR 2
 #define ASSUR_VERSION_PATCH 0

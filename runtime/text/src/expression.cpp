@@ -27,9 +27,9 @@ struct Constant {
 constexpr std::array<Constant, 2> constants = {
     {{"pi", std::numbers::pi}, {"deg", std::numbers::pi / 180}}};
 
-// Deeper nesting than any person writes would exhaust the stack.
+// Deeper nesting than anyone writes would exhaust the stack.
 constexpr int max_depth = 200;
-// Terms in a row make a tree as deep as the row is long.
+// A long sum makes a tree as deep as the number of its terms.
 constexpr std::size_t max_length = 10000;
 
 bool is_name_start(char letter) {
@@ -67,7 +67,7 @@ class Parser {
  private:
   [[noreturn]] void fail(const std::string& what) const { throw ExpressionError(what, at_ + 1); }
 
-  /// The whole character here, of one or more bytes of UTF-8.
+  /// The character at the present position, one or more bytes of UTF-8.
   [[nodiscard]] std::string character() const {
     std::size_t end = at_ + 1;
     while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0U) == 0x80U) {
@@ -94,7 +94,7 @@ class Parser {
     return {Expression::Kind::call, 0, std::move(name), std::move(arguments), operation, at_ + 1};
   }
 
-  /// Moves its operands: a list of initialisers would copy whole trees for every term.
+  /// Moves its operands: an initialiser list would copy whole trees for every term.
   [[nodiscard]] Expression binary(std::string name, Operation operation, Expression left,
                                   Expression right) const {
     std::vector<Expression> arguments;

@@ -120,7 +120,7 @@ std::vector<std::string> member_names(const std::vector<std::string>& names,
   used.insert(template_words.begin(), template_words.end());
   std::vector<std::string> members;
   for (const std::string& name : names) {
-    // Names with two underscores, or one in front of a capital, belong to the compiler.
+    // Names with two underscores, or one in front of a capital, are reserved for the compiler.
     std::string base;
     for (const char c : c_identifier(name)) {
       const bool again = c == '_' && (base.empty() || base.back() == '_');

@@ -8,7 +8,7 @@ namespace assur::text {
 
 namespace {
 
-/// Far more than a person or a program writes; a device might never end.
+/// Far more than any scene needs; a device file might never end.
 constexpr std::size_t largest_file = std::size_t{8} << 20;
 
 }  // namespace

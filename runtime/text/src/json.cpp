@@ -7,7 +7,7 @@ namespace assur::text {
 
 namespace {
 
-/// The text with a mark in place of each byte that is not UTF-8, which a line of a file may hold.
+/// The text with a replacement character for each byte that is not UTF-8.
 std::string as_utf8(std::string text) {
   for (std::size_t at = first_byte_outside_utf8(text); at < text.size();
        at = first_byte_outside_utf8(text)) {

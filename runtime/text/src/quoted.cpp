@@ -4,13 +4,13 @@ namespace assur::text {
 
 namespace {
 
-/// Whether a byte continues a letter of UTF-8, so that a text cannot be cut before it.
+/// Whether a byte continues a UTF-8 character, so that a text cannot be cut before it.
 bool continues_letter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
 
 bool is_white(char letter) { return letter >= '\t' && letter <= '\r'; }
 
-/// The bytes of the control character at a place in UTF-8, white space but for the space among
-/// them; zero for any other character.
+/// The number of bytes of the control character at an offset, white space except the space
+/// included; zero for any other character.
 std::size_t bytes_of_control_character(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t ahead) {
     return at + ahead < text.size() ? static_cast<unsigned char>(text[at + ahead]) : 0U;

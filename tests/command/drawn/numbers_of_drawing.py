@@ -1,4 +1,4 @@
-"""Turns a drawn scene into one whose links have frames of their own and whose numbers are numbers.
+"""Converts a drawn scene to the equivalent scene with link frames and numbers.
 
 The oracle for drawn scenes. It knows nothing of formulas: points are complex numbers, evaluated at
 one set of values of the parameters. Derivatives come from translating again at other values.

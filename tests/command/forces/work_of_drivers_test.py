@@ -1,5 +1,5 @@
-"""Law: what the driver of a machine at rest exerts is the rate of its potential energy, and what it
-exerts in motion is the rate of all its energy.
+"""Law: the effort of a driver is the rate of potential energy if the machine is at rest, and the
+rate of the total energy if it moves, per unit of the driver's coordinate.
 
 A driven six-bar with masses, a straight spring and a torsion spring is placed by `assur solve`; its
 energies are computed here from the places and velocities of its links, and their rates by central

@@ -1,4 +1,5 @@
-"""Law: an imported scene stands as its file is drawn and moves as its program moves it.
+"""Law: an imported scene has the drawn configuration of its file, and the motion that the other
+program gives it.
 
 What is imported is solved and swept; places, angles, laws of drives and efforts are compared with
 formulas of this file. What a scene does not say is told in one line each, with the exit status of
@@ -51,7 +52,7 @@ class Importer:
         return run.returncode, lines, scene
 
     def scene_of(self, name, text, *options, status=0, told=()):
-        """Imports, checks what is told and that the scene stands as it is drawn."""
+        """Imports, and checks the remarks and that the scene has its drawn configuration."""
         found, lines, scene = self.run(text, *options)
         expect(found == status, f"{name}: status {found}: {lines}")
         for words in told:

@@ -1,5 +1,4 @@
-// Law: findings of `assur audit` tell what cannot be compared, where it stands, and what explains
-// it.
+// Law: findings of `assur audit` state what cannot be compared, its place, and an explanation.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

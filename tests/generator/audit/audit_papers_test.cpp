@@ -1,4 +1,4 @@
-// Law: what `assur audit` finds in the papers is what was found there by hand, no less and no more.
+// Law: the findings of `assur audit` in the papers are exactly those found by hand.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -97,7 +97,7 @@ const std::vector<Paper> papers = {
      }},
 };
 
-/// Why the numbers of the worked example are what they are, as far as its printed numbers tell.
+/// Explanations of the worked example's numbers, as far as its printed numbers allow.
 const std::map<std::string, std::string> explanations = {
     {"v_BA, mm/s",
      "the printed numbers give 100; it would be right with omega1 = 0.1, or with AB = 10"},

@@ -1,5 +1,4 @@
-// Law: an audit gives each printed item one answer, and no text makes it do anything else than
-// answer or refuse.
+// Law: an audit gives each printed item one answer, and every text is answered or refused.
 #include "audit/audit.hpp"
 
 #include <gtest/gtest.h>

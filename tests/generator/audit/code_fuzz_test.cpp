@@ -1,5 +1,5 @@
-// Law: no text makes the readers of code do anything but answer or refuse in one line, and whatever
-// they call right computes what is right.
+// Law: the readers of code answer any text or refuse it in one line, and code that they call right
+// computes the right values.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -52,7 +52,7 @@ std::optional<AuditReport> read(const TemporaryDirectory& directory, const std::
   }
 }
 
-/// Whether the code computes what is right; nothing where it does not compile.
+/// Whether the code computes the right values; empty if it does not compile.
 std::optional<bool> runs_right(const TemporaryDirectory& directory, const std::string& name) {
   const std::string file =
       directory

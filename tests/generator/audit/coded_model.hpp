@@ -1,4 +1,4 @@
-// Turns a model's Jacobian, or a version of it, into functions in four languages and their audits.
+// Code in four languages, with audits, for a model's Jacobian and for altered versions of it.
 #pragma once
 
 #include <ginac/ginac.h>

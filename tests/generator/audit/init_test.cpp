@@ -210,7 +210,7 @@ const char* const one_function = "def f(x):\n    return [x, x]\n";
 INSTANTIATE_TEST_SUITE_P(
     Drafts, RefusedDraft,
     testing::Values(
-        Refused{"language", "a.rs", "fn f() {}", "", "a.rs: its language cannot be told; --init"},
+        Refused{"language", "a.rs", "fn f() {}", "", "a.rs: its language is not known; --init"},
         Refused{"empty", "a.py", "", "", "a.py: no function was found that takes numbers"},
         Refused{"no_result", "a.c", "void f(double x) { }", "", "no function was found"},
         Refused{"brackets", "a.m", "function y = f(x)\n y = ((((((x;\n", "", "no function"},
@@ -218,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"exists", "a.py", one_function, "--output DIR/there.audit",
                 "there.audit: the file exists; give another name, or --force to replace it"},
         Refused{"itself", "a.py", one_function, "--force --output DIR/a.py",
-                "a.py: to write it would replace the file"},
+                "a.py: writing it would replace the input"},
         Refused{"folder", "a.py", one_function, "--output DIR/none/a.audit",
                 "there is no directory"},
         Refused{"two", "a.py", one_function, "DIR/there.audit", "give one program or paper"},

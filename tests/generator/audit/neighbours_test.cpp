@@ -1,5 +1,5 @@
-// Law: what an audit says of one statement does not depend on the others: each alone, and all in
-// any order, have the same verdicts; names that formulas could not tell from functions are refused.
+// Law: the verdict on a statement does not depend on the other statements of an audit or on their
+// order; names that formulas could not distinguish from functions are refused.
 #include <gtest/gtest.h>
 
 #include <algorithm>

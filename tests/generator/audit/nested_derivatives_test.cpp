@@ -1,5 +1,5 @@
-// Law: statements of derivatives of derivatives, by parameters, by time and partly, are called true
-// or false as those are that follow from explicit formulas of a slider-crank, exactly.
+// Law: statements on repeated derivatives, by parameters, by time and partial, get the verdicts
+// that follow exactly from explicit formulas of a slider-crank.
 #include <ginac/ginac.h>
 #include <gtest/gtest.h>
 

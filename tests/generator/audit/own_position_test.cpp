@@ -193,7 +193,7 @@ TEST_P(OwnPositions, JudgeTheDerivatives) {
 INSTANTIATE_TEST_SUITE_P(Languages, OwnPositions, testing::ValuesIn(share_of(arms(), 3)),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-/// What is said of a slider, whose position has no value at some points.
+/// The findings on a slider whose position has no value at some points.
 struct Fault {
   const char* name;
   const char* declarations;

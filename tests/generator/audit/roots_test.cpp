@@ -1,6 +1,6 @@
-// Law: a statement is called true, false, or right on one branch as its values in double precision
-// are, at thousands of configurations found without the audit: with roots, and where no rational
-// points are assembled.
+// Law: a statement is called true, false, or right on one branch in agreement with its values in
+// double precision at thousands of independently found configurations: with roots, and without
+// rational points of assembly.
 #include <gtest/gtest.h>
 
 #include <assur/text/expression.hpp>

@@ -1,4 +1,4 @@
-// Turns a program that fills a Jacobian into the answer of an audit that runs it.
+// Audits, by running it, of a program that fills a Jacobian.
 #pragma once
 
 #include <gtest/gtest.h>

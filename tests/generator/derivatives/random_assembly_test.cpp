@@ -1,4 +1,4 @@
-// Law: the random assemblies at which ranks and degrees are read are assemblies, exactly.
+// Law: the random assemblies at which ranks and degrees are determined close exactly.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,5 @@
-// Law: `assur derive` prints the same in every process, its LaTeX fits the page, and what it does
-// not know is refused in one line.
+// Law: `assur derive` prints the same in every process, its LaTeX fits the page, and unknown
+// arguments are refused in one line.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Law: what `assur derive` prints of every model, read back and evaluated, is what the generated
-// code computes, and its text mentions what it must.
+// Law: the output of `assur derive` for every model, read back and evaluated, equals the results of
+// the generated code, and its text mentions all required subjects.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -240,8 +240,8 @@ std::map<std::string, std::complex<double>> series_values(const Json& step, cons
   return result;
 }
 
-/// The two equations whose resultant is taken hold at its root, and the series are what their
-/// formulas say. The only series of a single equation vanishes. Returns whether there are series.
+/// At a root of the resultant both its equations hold, and the series equal their formulas. The
+/// only series of a single equation vanishes. Returns whether there are series.
 bool expect_series(const Json& step, const Json& elimination, const Values& values) {
   if (step["series"].empty()) {
     return false;
@@ -341,7 +341,7 @@ TYPED_TEST(Derive, EliminationHoldsAtAnAssembledGroup) {
   }
 }
 
-/// What acts on a link adds up to zero, the neighbours get the opposite of what they exert, and the
+/// The forces on a link add up to zero, those on its neighbours are the opposite ones, and the
 /// multipliers satisfy the transposed equations, with the matrices of the generated code.
 TYPED_TEST(Derive, ForcesSolveTheTransposedEquations) {
   if constexpr (TypeParam::rigid) {

@@ -1,4 +1,5 @@
-// Law: emission depends on its input alone, and what is checked in is what the generator emits.
+// Law: emission depends on its input alone, and the files checked in are those that the generator
+// emits.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -1,5 +1,5 @@
-// Law: `track` of an emitted solver goes on smoothly where branches cross, as sweeps do, and
-// reports no end to which its branch does not lead.
+// Law: `track` of an emitted solver continues smoothly across crossings of branches, as sweeps do,
+// and reports no end to which its branch does not lead.
 #include <gtest/gtest.h>
 
 #include "generator/solver_comparison.hpp"

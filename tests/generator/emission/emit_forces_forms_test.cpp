@@ -1,5 +1,5 @@
-// Law: the forces of an emitted solver are the same in batches and in C, are not told where they
-// are not determined, and cost nothing where they are not wanted.
+// Law: the forces of an emitted solver are the same in batches and in C, are NaN if they are not
+// determined, and cost nothing if they are not requested.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -110,8 +110,8 @@ TEST(EmitForces, AreToldInC) {
   EXPECT_EQ(printed, "0\n");
 }
 
-/// With masses, stiffnesses and lengths as arguments, the solver of one scene tells what that of
-/// another one does.
+/// With masses, stiffnesses and lengths as arguments, the solver of one scene has the results of
+/// another scene's solver.
 TEST(EmitForces, FollowVariableParameters) {
   Json json = mixed_scene();
   json["parameters"] = {
@@ -144,8 +144,8 @@ TEST(EmitForces, FollowVariableParameters) {
   EXPECT_GT(std::count(told.begin(), told.end(), '\n'), 0);
 }
 
-/// A stretched dyad can be prestressed: its forces are NaN though nothing loads it, and the effort
-/// of a driver that does not carry it is told.
+/// A stretched dyad can be prestressed: its forces are NaN although it is not loaded, and the
+/// effort of a driver that does not carry it is reported.
 TEST(EmitForces, AreNotToldAtADeadCentre) {
   const Json json = Json::parse(R"({
     "links": {"ground": {"A": [0, 0], "D": [4, 0], "E": [9, 0]}, "crank": {"A": [0, 0], "B": [1, 0]},

@@ -1,5 +1,5 @@
-// Law: the efforts and forces that an emitted solver tells keep every link in equilibrium, and are
-// those of `assur solve`.
+// Law: the efforts and forces of an emitted solver keep every link in equilibrium, and equal those
+// of `assur solve`.
 #include <gtest/gtest.h>
 
 #include <iostream>

@@ -1,5 +1,5 @@
-// Law: a solver emitted for a mechanism with a group of more than four links lists what `assur
-// solve` lists, with the same motion, follows branches, and allocates nothing.
+// Law: a solver emitted for a mechanism with a group of more than four links has the configurations
+// and motions of `assur solve`, follows branches, and allocates nothing.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

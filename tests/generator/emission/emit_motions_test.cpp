@@ -1,5 +1,5 @@
-// Law: the kinematic coefficients and the equations of motion that an emitted solver tells are
-// those of `assur solve`, derivatives of its own positions, and consistent with its efforts.
+// Law: the kinematic coefficients and the equations of motion of an emitted solver equal those of
+// `assur solve`, are derivatives of its own positions, and are consistent with its efforts.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/held_pairs.hpp>
@@ -43,7 +43,7 @@ std::vector<std::string> members_of(const Parts& parts) {
   return text::member_names(names, {"members", "drivers", "order", "parameters", "regularity"});
 }
 
-/// C++ that prints all that a state `s` tells of motions, and its efforts.
+/// C++ that prints all results on motions in a state `s`, and its efforts.
 std::string printing_code(const Solved& scene) {
   const mechanism::Mechanism& mechanism = scene.plan.mechanism();
   std::string code;
@@ -89,7 +89,7 @@ struct Worst {
   [[nodiscard]] double most() const { return std::max({first, second, dynamics, efforts}); }
 };
 
-/// How far matrices are apart, in parts of the largest entry, or of one.
+/// The largest difference of matrices, relative to the largest entry, or to one.
 double apart(const Eigen::MatrixXd& told, const Eigen::MatrixXd& known, double size = 1) {
   return known.size() == 0
              ? 0

@@ -1,6 +1,5 @@
 // Law: a power of parameters has, in `assur solve` and in emitted solvers of variable parameters,
-// its exact value and the exact derivatives that there are; those that there are not are unknown
-// alone.
+// its exact value and its exact derivatives; only derivatives that do not exist are unknown.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,8 +52,8 @@ void expect(double found, double truth, const std::string& what) {
   }
 }
 
-/// What is told of B.x: its position, its derivatives by x and n, its velocity, its worst case, and
-/// whether it is regular.
+/// The results for B.x: its position, its derivatives with respect to x and n, its velocity, its
+/// worst case, and whether it is regular.
 void expect_all(const std::array<double, 6>& told, const Power& exact, const std::string& what,
                 double tolerance_of_n = 0) {
   expect(told[0], exact.value, what + ", value");

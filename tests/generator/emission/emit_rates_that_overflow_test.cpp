@@ -34,8 +34,8 @@ SceneMaker::Json growing_crank() {
 
 constexpr std::array<double, 7> speeds = {1, 1e10, 1e150, 1e154, 1e155, 1e160, 1e308};
 
-/// Whether all rates of a configuration are regular, in the lines of the program below: the letter
-/// of who tells, the regularity, the numbers of rates that are infinite, and of those that are NaN.
+/// Whether all rates of a configuration are regular, in the lines of the program below: a letter
+/// for the source, the regularity, the number of infinite rates, and of NaN.
 constexpr const char* program_text = R"(
 #include <cmath>
 #include <cstdio>

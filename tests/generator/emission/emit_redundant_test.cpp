@@ -1,5 +1,5 @@
-// Law: the solver emitted for a scene with redundant joints does without their constraints, says
-// so, and finds the configurations in which they hold.
+// Law: the solver emitted for a scene with redundant joints omits their constraints, says so, and
+// finds the configurations in which they hold.
 #include <gtest/gtest.h>
 
 #include <assur/assemblies.hpp>
@@ -138,7 +138,7 @@ int main() {
   }
 }
 
-/// What a solver tells of the cranks where the first is turned by an angle.
+/// A solver's results for the cranks at an angle of the first.
 struct Told {
   int status, count, families, regularity;
   double turning, turned, speeding_up;  ///< rocker's rate, coupler's sine, rocker's second rate
@@ -293,7 +293,7 @@ nlohmann::ordered_json cranks_and_a_slot() {
   return json;
 }
 
-/// Counts of configurations of a solver, with its status, where its driver stands at positions.
+/// Numbers of configurations of a solver, with its status, at positions of its driver.
 std::vector<std::pair<int, int>> counts_of(const nlohmann::ordered_json& scene,
                                            const std::vector<double>& positions) {
   const TemporaryDirectory directory;

@@ -1,5 +1,5 @@
-// Law: an emitted solver agrees with `assur solve` where groups are solved relative to links that
-// move: positions, rates of every order and sensitivities, whatever such links carry.
+// Law: an emitted solver agrees with `assur solve` if groups are solved relative to moving links:
+// positions, rates of every order and sensitivities, whatever such links carry.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/plan.hpp>

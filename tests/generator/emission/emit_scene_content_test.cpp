@@ -1,5 +1,5 @@
-// Law: an emitted solver holds what its scene wants and no more, with the same bytes in every
-// process; a scene that cannot have a solver is refused in one line.
+// Law: an emitted solver contains exactly the results that its scene requests, with the same bytes
+// in every process; a scene that cannot have a solver is refused in one line.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Law: an emitted solver leaves out the configurations beyond the limits of joints that `assur
-// solve` leaves out, counts them, and follows branches through the limits and back.
+// Law: an emitted solver leaves out the same configurations beyond joint limits as `assur solve`,
+// counts them, and follows branches through the limits and back.
 #include <gtest/gtest.h>
 
 #include <numbers>

@@ -1,5 +1,5 @@
-// Law: `nearest` of an emitted solver tells the configuration, and the distances, that `assur solve
-// --nearest` tells.
+// Law: `nearest` of an emitted solver returns the configuration and the distances of `assur solve
+// --nearest`.
 #include <gtest/gtest.h>
 
 #include <cstdio>

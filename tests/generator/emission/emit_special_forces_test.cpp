@@ -1,5 +1,5 @@
-// Law: where constraints are redundant or groups singular, an emitted solver tells the forces that
-// `assur solve` tells, and no others.
+// Law: if constraints are redundant or groups singular, an emitted solver has exactly the forces of
+// `assur solve`.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -251,8 +251,8 @@ INSTANTIATE_TEST_SUITE_P(Ties, EmitSpecialForcesOfScenes,
                                          Ties::drivers_in_larger_groups),
                          name_of_ties);
 
-/// Rates are not known at the change point, so that no force of the parallelogram is, while those
-/// of the other group are the same wherever the parallelogram stands.
+/// At the change point rates are unknown, and so all forces of the parallelogram, while those of
+/// the other group do not depend on the parallelogram's configuration.
 TEST(EmitSpecialForces, OfOtherGroupsAreToldWhereRatesAreNotKnown) {
   std::vector<NamedScene> scenes;
   for (const double phi : {0.0, 0.7}) {

@@ -59,7 +59,7 @@ std::vector<Refused> refused() {
   return {
       {"UnknownName", "--variable crnk", "--variable", four_bar().json},
       {"Law", "--variable phi", "only the law of a driver depends on it", law},
-      {"Unused", "--variable spare", "nothing that is reported depends on it", unused},
+      {"Unused", "--variable spare", "no reported result depends on it", unused},
       {"NoTruth", "", "parameters.crank.variable: expected true or false", word},
       {"NoLength", "--variable coupler", "is zero at the scene's own numbers", point},
       {"NoAxis", "--want position,sensitivity", "links.bcg: two of its joints coincide",

@@ -1,4 +1,4 @@
-// Law: of several files all are written, or none where one of them cannot be.
+// Law: either all of several files are written, or none.
 #include "emission/cpp/files.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Includes what emitted solvers and the programs around them include, and calls some solvers, so
-// that what others share with them is compiled once for all programs.
+// Precompiled header for emitted solvers and the programs around them: their common includes, and
+// calls of some solvers, whose template instances other solvers share.
 #pragma once
 
 #include <array>

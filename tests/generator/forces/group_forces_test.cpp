@@ -1,5 +1,5 @@
-// Law: the forces that are derived for a rigid model keep each of its links in equilibrium,
-// exactly, act across slides, and take few operations.
+// Law: the forces derived for a rigid model keep each of its links in equilibrium, exactly, are
+// normal to slides, and take few operations.
 #include "forces/group_forces.hpp"
 
 #include <gtest/gtest.h>
@@ -78,7 +78,7 @@ class LoadedModel {
     return {value(pose.origin.x + pose.direction.x * local.x - pose.direction.y * local.y),
             value(pose.origin.y + pose.direction.y * local.x + pose.direction.x * local.y)};
   }
-  /// What is left of the forces on a link, and of the moments about the origin of the fixed frame.
+  /// The residual of the forces on a link, and of the moments about the origin of the fixed frame.
   [[nodiscard]] std::array<GiNaC::ex, 3> left_on(LinkIndex link) const {
     const generator::forces::LinkLoad& load = forces_.loads[link];
     const Vector2& origin = equations_.poses[link].origin;

@@ -1,5 +1,5 @@
-// Law: notation that could be read in two ways is refused at its place in the paper, and never
-// guessed; so are mistakes in a map or a paper.
+// Law: ambiguous notation is refused at its place in the paper, and never guessed; so are mistakes
+// in a map or a paper.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,7 +75,7 @@ const std::vector<Refusal> refusals = {
     {"\\sin\\theta^2 = b", 5,
      "is the function raised or its argument? write \\sin^2 x, or brackets"},
     {"\\sin(\\theta)^2 = b", 13,
-     "what is raised here is not clear; write \\sin^2 x, or brackets around it all"},
+     "the base of this power is not clear; write \\sin^2 x, or brackets around it all"},
     {"\\sin^{-1}\\theta = b", 1,
      "only whole powers of functions are clear; write brackets around the function"},
     {"\\sin{\\theta + \\phi} = b", 5, "the function's argument is not clear; write brackets"},
@@ -119,7 +119,8 @@ const std::vector<Refusal> refusals = {
     {"(a + b] = c", 7, "'(' is closed by ']'"},
     {"a) = c", 2, "')' closes nothing"},
     {"{a + b} c = c", 1, "braces around a sum are not printed; write brackets"},
-    {"{a b}^2 = c", 6, "braces are not printed, so what is raised is not clear; write brackets"},
+    {"{a b}^2 = c", 6,
+     "braces are not printed, so the base of the power is not clear; write brackets"},
     {"a^b^c = c", 4, "this has two superscripts; write brackets"},
     {"a_1_2 = c", 4, "this has two indices; write them as one"},
     {"\\sqrt[3]{a} = c", 1, "only square roots can be compared"},

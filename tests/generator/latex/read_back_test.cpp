@@ -1,4 +1,4 @@
-// Law: what `assur derive --format latex` writes of any model is read back and agrees.
+// Law: the LaTeX that `assur derive --format latex` writes of any model is read back and agrees.
 #include <gtest/gtest.h>
 
 #include <map>

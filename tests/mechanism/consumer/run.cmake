@@ -1,5 +1,5 @@
 # Installs the build tree, then configures, builds and runs the example project in C++ against the
-# install tree, with GiNaC out of reach; then asks for components that are not there.
+# install tree, without access to GiNaC; then requests components that do not exist.
 # cmake -DBUILD=... -DSOURCE=... -DEXAMPLE=... -DWORK=... -DCOMPILER=... [-DSANITIZE=...] -P run.cmake
 include(${CMAKE_CURRENT_LIST_DIR}/../../run_command.cmake)
 

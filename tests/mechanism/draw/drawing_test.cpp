@@ -1,4 +1,4 @@
-// Law: in a drawing, pins and outputs stand where they are solved and dead centres where sweeps
+// Law: in a drawing, pins and outputs are at their solved positions and dead centres where sweeps
 // find them, in any unit and with any names.
 #include <gtest/gtest.h>
 

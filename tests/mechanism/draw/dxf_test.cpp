@@ -1,4 +1,4 @@
-// Law: a DXF file, read back, has every pin of every configuration where it is solved, and uses
+// Law: a DXF file, read back, has every pin of every configuration at its solved position, and uses
 // only layers of its own table.
 #include <gtest/gtest.h>
 

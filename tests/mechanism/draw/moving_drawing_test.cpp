@@ -1,5 +1,5 @@
-// Law: in a moving drawing, every pin is at each moment where it is solved, and the branch that is
-// asked for is shown, however many others there are.
+// Law: in a moving drawing, every pin is at each moment at its solved position, and the requested
+// branch is shown, however many others there are.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/drawing.hpp>

@@ -1,5 +1,5 @@
-// Law: a drawing that is built in C++ has the solutions of the same drawing in a scene file; what
-// does not fit is refused by name.
+// Law: a drawing built in C++ has the solutions of the same drawing in a scene file; parts that do
+// not fit are refused by name.
 #include <gtest/gtest.h>
 
 #include <assur/mechanism/drawn_mechanism.hpp>

@@ -75,8 +75,8 @@ std::vector<Complex> pins(const Row& row, Real phi, unsigned mode) {
   return result;
 }
 
-/// Whether a configuration is in a mode, as far as digits tell: each stage loses as many as the one
-/// before it once more, and configurations that meet to within rounding are one.
+/// Whether a configuration is in a mode, within the accuracy: each stage loses as many digits again
+/// as the previous one, and configurations that meet to within rounding are the same.
 bool is_in_mode(const Row& row, unsigned mode, const mechanism::SweepRecord& at) {
   const Real away = std::abs(static_cast<Real>(at.parameter) - row.flat());
   if (away > 0 && away < row.lost) {

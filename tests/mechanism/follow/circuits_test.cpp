@@ -1,6 +1,5 @@
-// Law: branches of a sweep are on one circuit where the mechanism goes from one to the other
-// without being taken apart: Grashof's rule tells it of four-bars, signs of discriminants of
-// six-bars.
+// Law: branches of a sweep are on one circuit if the mechanism can move from one to the other
+// without disassembly: for four-bars by Grashof's rule, for six-bars by signs of discriminants.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -415,13 +414,20 @@ std::vector<std::map<std::string, std::string>> table_of(const Json& json,
                                                          mechanism::SweepRows::Angles angles) {
   const mechanism::Scene scene = mechanism::parse_scene(json.dump(), "scene");
   const mechanism::Plan plan(scene);
-  mechanism::SweepRows rows(plan, swept_places(scene.mechanism, scene.request).circuits, angles);
+  mechanism::SweepRows rows(plan, angles);
   std::string text = csv_header(plan);
-  mechanism::sweep(plan, {[&](const mechanism::SweepRecord& row) { rows.add(row, text); }, {}, {}});
+  mechanism::Circuits circuits;
+  mechanism::sweep(plan, {[&](const mechanism::SweepRecord& row) { rows.add(row, text); },
+                          {},
+                          {},
+                          [&](const mechanism::Circuits& found) { circuits = found; }});
   std::vector<std::map<std::string, std::string>> table;
   std::vector<std::string> head;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
+    if (!head.empty()) {
+      mechanism::SweepRows::set_circuit(circuits, line);
+    }
     std::istringstream cells(line + ",");
     std::vector<std::string> row;
     for (std::string cell; std::getline(cells, cell, ',');) {

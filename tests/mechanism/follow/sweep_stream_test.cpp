@@ -137,7 +137,7 @@ TEST(SweepStream, OtherParametersMayHaveOtherValues) {
   }
   const auto rows = [](const Plan& swept, const Values& values) {
     std::string text;
-    mechanism::SweepRows table(swept, {});
+    mechanism::SweepRows table(swept);
     mechanism::sweep(
         swept, values,
         {.record = [&](const mechanism::SweepRecord& record) { table.add(record, text); },

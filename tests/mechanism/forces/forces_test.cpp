@@ -1,5 +1,5 @@
-// Law: the forces that are told keep every link in equilibrium, transmit nothing along slides, add
-// up to the ground's resultant, and agree with the equations of motion.
+// Law: reported forces keep every link in equilibrium, transmit nothing along slides, add up to the
+// ground's resultant, and agree with the equations of motion.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -745,7 +745,7 @@ TEST(Forces, TellWhichJointsLoadsKeepFromBeingLeftOut) {
                   .efforts[mechanism::DriverIndex(0)],
               2, 1e-12);
   EXPECT_NE(message_of(pushed_by("-5*joint(T)"))
-                .find("T cannot be left out, because laws or loads read where it is"),
+                .find("T cannot be left out, because laws or loads read the coordinate"),
             std::string::npos);
 }
 

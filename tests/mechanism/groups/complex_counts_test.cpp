@@ -1,5 +1,5 @@
-// Law: the number of complex configurations of a group that its model tells is the dimension of a
-// quotient ring that is computed from rigid bodies modulo primes, by ranks here and by Singular.
+// Law: the number of complex configurations of a group in its model is the dimension of a quotient
+// ring, computed from rigid bodies modulo primes, by ranks here and by Singular.
 #include <gtest/gtest.h>
 
 #include <cstdio>

@@ -1,6 +1,6 @@
-// Prints the table of all Assur groups of up to eight links and revolute joints, by the chains that
-// they are left of, as docs/method/groups.md has it. With the name of that page as an argument it
-// exits with 1 where the page says something else.
+// Prints the table of all Assur groups of up to eight links and revolute joints, by the chains from
+// which they arise, as in docs/method/groups.md. Given that page's name as an argument, it exits
+// with 1 if the page differs.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -15,7 +15,7 @@
 namespace assur::test {
 namespace {
 
-/// How many links of a chain differ as the base: those that no symmetry of the chain exchanges.
+/// The number of different bases of a chain: links that no symmetry of the chain exchanges.
 class DifferentBases {
  public:
   DifferentBases(const Chain& chain, int links)
@@ -37,8 +37,8 @@ class DifferentBases {
   }
 
  private:
-  /// Whether the first links can go to the images told, the next one to `to` where it is `link`,
-  /// and the others anywhere, so that all joints stay.
+  /// Whether a symmetry that preserves all joints maps the first links to the given images and
+  /// `link` to `to`.
   [[nodiscard]] bool extends(const std::vector<std::size_t>& images, std::size_t link,
                              std::size_t to) const {
     const std::size_t next = images.size();

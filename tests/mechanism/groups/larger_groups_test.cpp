@@ -1,5 +1,5 @@
-// Law: any Assur group has as many complex configurations as theory tells, all real ones among them
-// are found, and a box around each proves that none is missing.
+// Law: any Assur group has the number of complex configurations given by theory, all real ones
+// among them are found, and a box around each proves that none is missing.
 #include "mechanism/larger_groups.hpp"
 
 #include <gtest/gtest.h>
@@ -112,8 +112,8 @@ TEST(LargerGroups, SolveEveryEightBarLinkageAsItIsDrawn) {
 /// What a campaign has found.
 struct Campaign {
   int groups = 0, complete = 0, drawn = 0, listed = 0, rests = 0, lost = 0;
-  double largest_gap = 0;  ///< of what is listed: it is invented where it does not close
-  double farthest = 0;     ///< of what Newton's method finds from what is listed
+  double largest_gap = 0;  ///< of a listed configuration: one that does not close is invented
+  double farthest = 0;     ///< distance of Newton's result from the listed configuration
 };
 
 std::ostream& operator<<(std::ostream& out, const Campaign& told) {

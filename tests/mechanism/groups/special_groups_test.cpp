@@ -1,5 +1,5 @@
-// Law: larger groups in special position lose no configuration, and their twins beside them have
-// the same; what is known of named groups comes out.
+// Law: larger groups in special position lose no configuration, and slightly perturbed groups have
+// the same; known results for named groups are reproduced.
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>

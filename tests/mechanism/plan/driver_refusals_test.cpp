@@ -92,7 +92,7 @@ TEST(Laws, ThatMakeAGroupOfTheirOwnAreNamed) {
     EXPECT_EQ(message_with_law("A", "joint(" + std::string(read) + ")"),
               "scene: drivers: the law of the joint A reads joints of the links crank, coupler, "
               "rocker, which this law moves: the links can only be solved together, as a group "
-              "that is not known here; let a law read joints that are placed before the links "
+              "that is not supported; let a law read joints that are placed before the links "
               "that it moves");
   }
 }

@@ -1,5 +1,5 @@
-// Law: for every link and slide of every example, whatever the whole mechanism says of it is also
-// said where it is reported alone and only what holds it is modelled.
+// Law: every link and slide of every example has the same results alone, with only the parts
+// modelled that hold it, as in the whole mechanism.
 #include <gtest/gtest.h>
 
 #include <algorithm>

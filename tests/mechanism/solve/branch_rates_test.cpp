@@ -1,5 +1,5 @@
-// Law: where several motions go through one configuration, the rates of each are those of the
-// configurations on both sides of it.
+// Law: if several motions pass through one configuration, the rates of each are those of the
+// neighbouring configurations on both sides.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -13,8 +13,8 @@
 namespace assur::test::driven_lattice_test {
 namespace {
 
-/// The tolerance at singular configurations, as a part of the mechanism's size. Configurations that
-/// meet are known to 1e-8; what depends on them through a fold is known to the square root of that,
+/// The tolerance at singular configurations, relative to the mechanism's size. Configurations that
+/// meet are known to 1e-8; those that depend on them through a fold to the square root of that,
 /// times its arm.
 constexpr double within_singular = 1e-3;
 

@@ -1,5 +1,5 @@
-// Law: wherever drivers are and whatever their laws read, rigid bodies with constraints, which know
-// no groups, agree with all that the solver reports.
+// Law: for drivers at any joint and laws that read any joint, rigid bodies with constraints,
+// without groups, agree with all results of the solver.
 #include <gtest/gtest.h>
 
 #include <algorithm>

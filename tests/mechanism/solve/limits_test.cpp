@@ -1,5 +1,5 @@
-// Law: limits leave out the configurations beyond them and nothing else, in solutions and in rows
-// of sweeps; a part that is reported keeps what its laws read.
+// Law: limits exclude exactly the configurations beyond them, in solutions and in rows of sweeps; a
+// reported part includes the joints that its laws read.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -1,4 +1,4 @@
-// Checks the answers for a well-known mechanism against what is known of it, in every listing.
+// Checks of the answers for a well-known mechanism against its known properties, in every listing.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-// Law: a law that reads a joint at a change point gives its driver the rates of every motion that
-// goes through there.
+// Law: a law that reads a joint at a change point gives its driver the rates of every motion
+// through that point.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Law: redundant constraints are left out, and named, if they hold and go on to hold in motion;
+// Law: redundant constraints are left out, and named, if they hold and continue to hold in motion;
 // otherwise the mechanism is refused as over-constrained.
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-// Law: redundant slides and slots that hold are left out as pins are, and what is left out of one
-// part of a mechanism depends neither on other parts nor on names.
+// Law: consistent redundant slides and slots are left out like pins, and the constraints left out
+// of one part of a mechanism depend neither on other parts nor on names.
 #include <gtest/gtest.h>
 
 #include <algorithm>

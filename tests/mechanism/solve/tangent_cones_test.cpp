@@ -1,5 +1,5 @@
-// Law: the motions through a place where several loops lose rank at once are all those along which
-// the mechanism can go on, and no others.
+// Law: the motions through a point where several loops lose rank at once are exactly those along
+// which the mechanism can move.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
-// Law: where points of a link coincide, regular configurations of its group have all rates, and
-// first and second derivatives by what moves the points apart: those of rigid bodies.
+// Law: if points of a link coincide, regular configurations of its group have all rates, and first
+// and second derivatives with respect to parameters that separate the points: those of rigid
+// bodies.
 #include <gtest/gtest.h>
 
 #include <Eigen/SVD>

@@ -1,5 +1,5 @@
-// Law: values in which a parameter is replaced equal in every bit those that are evaluated afresh
-// with it; long chains of parameters need no deep stack, and cycles are refused by name.
+// Law: values with a replaced parameter are bitwise equal to those evaluated afresh with it; long
+// chains of parameters need no deep stack, and cycles are refused by name.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-"""Law: arrays are read-only views of what was computed, and keep it alive."""
+"""Law: arrays are read-only views of the results, and keep them alive."""
 
 import gc
 import sys

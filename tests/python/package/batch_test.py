@@ -1,4 +1,4 @@
-"""Law: a batch holds what solving its items one by one gives, bit for bit."""
+"""Law: a batch equals the solutions of its items one by one, bit for bit."""
 
 import numpy as np
 import pytest

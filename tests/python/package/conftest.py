@@ -1,4 +1,4 @@
-"""Turns the command and the examples into what every test compares with."""
+"""The command and the examples, with which every test compares the package."""
 
 import copy
 import csv

@@ -1,5 +1,5 @@
-"""Law: what is pickled or copied tells the same as the original, bit for bit; every object says in
-one line what it is, and tables of pandas hold the numbers of the arrays."""
+"""Law: pickled and copied objects equal the original, bit for bit; every object describes itself in
+one line, and tables of pandas hold the numbers of the arrays."""
 
 import copy
 import pickle

@@ -1,4 +1,5 @@
-"""Law: a drawn scene tells the drawn configuration, and the drawn branch, as the command does."""
+"""Law: a drawn scene has the same drawn configuration, and the same drawn branch, as in the
+command."""
 
 import pytest
 

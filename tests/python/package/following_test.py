@@ -1,5 +1,5 @@
-"""Law: a batch that follows has, item by item, the configurations of one branch: those that a sweep
-finds, and where the signs of triangles tell branches apart, those of one sign."""
+"""Law: a batch that follows a branch has, item by item, the configurations of one branch: those of
+a sweep, and, if the signs of triangles distinguish branches, those of one sign."""
 
 import math
 

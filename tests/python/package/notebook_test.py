@@ -1,5 +1,6 @@
 """Law: the cells of the notebooks run, with what they assert, and so do the lines of the page on
-the package; the campaign runs the notebooks in a kernel."""
+the package and of the README, which has what they print; the campaign runs the notebooks in a
+kernel."""
 
 import json
 import os
@@ -38,6 +39,13 @@ def test_the_pages(monkeypatch):
     for name in names["assur"].__all__:
         if name[0].islower() or name in ("Scene", "Plan", "Solution", "Batch", "Sweep", "Samples"):
             assert "`" + name in reference, name
+
+
+def test_the_readme(monkeypatch, capsys):
+    monkeypatch.chdir(SOURCE)
+    code, printed = (SOURCE / "README.md").read_text().split("```python\n")[1].split("```")[0:3:2]
+    exec(compile(code, "README.md", "exec"), {})
+    assert "text\n" + capsys.readouterr().out == printed
 
 
 def test_there_are_four():

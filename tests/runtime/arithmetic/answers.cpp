@@ -1,6 +1,5 @@
-// Turns a compiler's arithmetic into a line for each of many answers of the runtime, to compare
-// with those of other arithmetic. A second argument sets the processor to round or to flush
-// otherwise.
+// Prints one line for each of many answers of the runtime, for comparison between compilers'
+// arithmetics. A second argument changes the processor's rounding mode or flushing of subnormals.
 #include <array>
 #include <assur/assembly.hpp>
 #include <assur/dyad/model_01.hpp>

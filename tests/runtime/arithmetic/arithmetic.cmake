@@ -1,6 +1,6 @@
-# Turns compilers and their options for arithmetic into a comparison of answers.cpp with what it says
-# without options: every answer is the same, or it says that the arithmetic is unsound. Options of
-# which a compiler tells are refused by the headers.
+# Compares the answers of answers.cpp under compilers' options for arithmetic with those without
+# options: every answer is the same, or states that the arithmetic is unsound. Options that the
+# compiler reports are refused by the headers.
 #   cmake -DCOMPILERS="g++;clang++" -DFLAGS="-I..." -DWORK=... -DREFERENCE=<answers of the dyads>
 #     -P arithmetic.cmake
 #   cmake ... -DASSUR=<the command> -DSCENE=<four-bar.json> -P arithmetic.cmake

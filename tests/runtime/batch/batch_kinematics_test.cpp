@@ -1,5 +1,4 @@
-// Law: a batch of configurations gets the derivatives and statuses that each of them gets by
-// itself.
+// Law: a batch of configurations has the derivatives and statuses of single calls.
 #include <assur/batch_kinematics.hpp>
 #include <assur/dyad/models.hpp>
 #include <assur/tetrad/model_01.hpp>

@@ -1,4 +1,4 @@
-// Law: a batch of groups gets the answers that each of them gets by itself.
+// Law: a batch of groups has the answers of single calls.
 #include <assur/batch.hpp>
 #include <assur/dyad/models.hpp>
 #include <assur/kinematics.hpp>
@@ -185,7 +185,7 @@ void compare(std::size_t count, Kind kind, Seen& seen) {
         ++seen.wrong;
       } else if (truth.regularity[place] == Status::ok) {
         const double firmness = regularity<Model, double>(d, u, q).firmness;
-        // What is far away is known to the rounding of its place.
+        // Distant points are known to the rounding of their coordinates.
         const double reach = kind == Kind::odd ? 1 + moved_by(group) : 1;
         const double unit = kind == Kind::odd ? unit_of(group) : 1;
         const double apart = distance(group_of(found.configuration(index), group), q, unit);

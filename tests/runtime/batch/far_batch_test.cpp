@@ -1,5 +1,5 @@
-// Law: packs settle groups in any unit and far from the origin, too, and what places far away leave
-// uncertain is not called ok.
+// Law: packs also settle groups in any unit and far from the origin, and configurations made
+// uncertain by distant coordinates are not called ok.
 #include <gtest/gtest.h>
 
 #include <assur/batch.hpp>

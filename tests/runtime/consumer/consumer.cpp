@@ -1,4 +1,4 @@
-// Uses the generated solver of an RRR-RRR tetrad from an install tree, without GiNaC in reach.
+// Uses the generated solver of an RRR-RRR tetrad from an install tree, without access to GiNaC.
 #include <assur/kinematics.hpp>
 #include <assur/tetrad/model_01.hpp>
 #include <cmath>

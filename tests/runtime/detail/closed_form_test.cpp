@@ -63,7 +63,7 @@ Group<Model> filled_by(Filler& filler) {
 }
 
 /// Moves a group that can be assembled towards one that cannot, until its discriminant is `part` of
-/// the least that vouches for a regular group. False if that does not happen on the way.
+/// the least that certifies a regular group. False if that does not happen on the path.
 template <typename Model>
 bool bring_near_end(Group<Model>& group, const Group<Model>& other, double part) {
   using Form = detail::ClosedForm<Model, double>;
@@ -146,7 +146,7 @@ struct Largest {
   int regular = 0;   ///< number of regular groups
 };
 
-/// Examines the configurations of a group that its discriminant vouches for, as the search does.
+/// Examines the configurations that a group's discriminant certifies, as the search does.
 template <typename Model>
 void examine_roots(const Group<Model>& group, Largest& largest_of) {
   const auto d = support::scaled_to<typename Model::template Dimensions<Pair>>(group.d, 1.0);

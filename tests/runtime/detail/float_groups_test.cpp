@@ -1,4 +1,4 @@
-// Law: what float says of a group is what double says of the same numbers, or that it cannot tell.
+// Law: the answer for a group in float is that in double for the same numbers, or unresolved.
 #include <assur/assembly.hpp>
 #include <assur/kinematics.hpp>
 #include <cmath>
@@ -28,7 +28,7 @@ struct Seen {
   double apart = 0;   ///< how far the keys of such a pair are apart at least, the largest of these
   double pose = 0;    ///< by how many eps closures must be off to explain configurations
   double derivative = 0;  ///< largest error of derivatives where they are regular
-  double promised = 0;    ///< largest error of derivatives relative to what is promised
+  double promised = 0;    ///< largest error of derivatives relative to the promised one
   double constant = 0;    ///< largest error of all derivatives, in eps/margin
 };
 
@@ -58,8 +58,8 @@ double distance(const typename Model::template Configuration<float>& q,
   return farthest;
 }
 
-/// How far all closures must be off, relative to the longest length or displacement, to move an
-/// unknown as far as it is from the truth: dq = J^-1 df.
+/// The closure residual, relative to the longest length or displacement, that explains the error of
+/// an unknown: dq = J^-1 df.
 template <typename Model>
 double needed_of_closures(
     const typename Model::template Configuration<float>& q,
@@ -123,9 +123,8 @@ double difference(const typename Model::template Dimensions<double>& d,
   return worst;
 }
 
-/// The least difference of the keys by which two configurations are put in order, among those that
-/// are not equal but for the rounding of double. It is relative to the key or its unit, which is
-/// one or, for lengths, `unit`.
+/// The least difference of the sort keys of two configurations, except keys equal to within the
+/// rounding of double. It is relative to the key or its unit, which is one or, for lengths, `unit`.
 template <typename Model>
 double least_difference_of_keys(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u,

@@ -1,4 +1,4 @@
-// Law: what polishing calls assembled closes to a few roundings.
+// Law: a configuration that polishing calls assembled closes to a few roundings.
 #include <gtest/gtest.h>
 
 #include <assur/detail/polish.hpp>

@@ -1,4 +1,5 @@
-// Law: the second look at a configuration in float counts all that may move its derivatives.
+// Law: the second look at a configuration in float includes every effect that may move its
+// derivatives.
 #include <gtest/gtest.h>
 
 #include <assur/detail/second_look.hpp>

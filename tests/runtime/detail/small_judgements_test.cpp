@@ -1,5 +1,5 @@
-// Law: steps are measured and limited by how far links turn, configurations that are the same are
-// found, and so are the lanes of a pack with a number that is not finite.
+// Law: steps are measured and limited by the rotations of links; equal configurations, and lanes of
+// a pack with a number that is not finite, are found.
 #include <gtest/gtest.h>
 
 #include <assur/assemblies.hpp>
@@ -62,7 +62,7 @@ TEST(Twins, AreToldFromConfigurationsThatDiffer) {
   EXPECT_FALSE((detail::has_twins<Model, double>(found)));
 }
 
-/// Lanes whose numbers are said to be finite are not computed again by themselves.
+/// Lanes with finite numbers are not computed again alone.
 TEST(FiniteNumbers, AreToldLaneByLane) {
   using Pack = numeric::PackOf<double, 4>;
   for (const double spoilt :

@@ -1,4 +1,4 @@
-# Turns each header of the runtime into a file of its own, and fails where it needs another first:
+# Compiles each header of the runtime alone, and fails if it needs another one before it:
 #   cmake -DHEADERS=runtime/include -DFLAGS="-I..." -DCOMPILERS="g++;clang++" -P headers_alone.cmake
 #
 # Most of a header's time is Eigen's. A header that comes to include Eigen sees it before its own

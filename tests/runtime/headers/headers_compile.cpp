@@ -1,5 +1,5 @@
-// Turns every public header and every generated model into one file of C++17 under the strictest
-// warnings; headers_alone.cmake does the same with each header by itself.
+// Includes every public header and every generated model, to be compiled as C++17 under the
+// strictest warnings; headers_alone.cmake does the same with each header alone.
 #include <array>
 #include <assur/assur.hpp>
 #include <assur/dyad/models.hpp>

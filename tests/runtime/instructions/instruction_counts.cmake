@@ -1,5 +1,5 @@
-# Compares the instructions of each hot function, by callgrind, with those that are pinned: fails
-# where a function takes over 1% more, or so many fewer that the pin should be set anew.
+# Compares the instruction count of each hot function, by callgrind, with the pinned one: fails if a
+# function takes over 1% more, or so many fewer that the pin should be updated.
 #   cmake -DVALGRIND=... -DPROGRAM=... -DPINNED=... -DCOMPILER=g++-12 -P instruction_counts.cmake
 file(STRINGS ${PINNED} lines REGEX "^[^#]")
 set(compared 0)

@@ -1,5 +1,5 @@
-// Law: the singular point of constraints and their opening are those that formulas tell, in sizes
-// that are fixed or not, with derivatives that are given or not; a fold is none.
+// Law: the singular point of constraints and their residual there agree with formulas, for fixed
+// and dynamic sizes, with given and numerical derivatives; a fold is not one.
 #include <gtest/gtest.h>
 
 #include <assur/local/singular_point.hpp>

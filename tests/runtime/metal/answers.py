@@ -1,5 +1,4 @@
-"""Turns the campaign's answers of a machine and of the host into what they have in common, and what
-they cost the machine."""
+"""Compares the campaign's answers of a board and of the host, and summarises the board's costs."""
 
 import array
 import pathlib

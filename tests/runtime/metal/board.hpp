@@ -1,5 +1,5 @@
-// Turns a processor under QEMU, or the machine that builds, into functions that read, write, count
-// the instructions that have run and measure how deep the stack has been used.
+// Input, output, instruction counter and stack depth of a processor under QEMU, or of the build
+// machine.
 #pragma once
 
 #include <cstddef>

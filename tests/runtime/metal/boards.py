@@ -1,5 +1,5 @@
-"""Turns sources into programs without an operating system and runs them under QEMU, which counts
-their instructions; and into the same programs of the host."""
+"""Builds programs without an operating system and runs them under QEMU, which counts their
+instructions; and builds the same programs for the host."""
 
 import pathlib
 import re

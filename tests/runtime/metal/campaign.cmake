@@ -1,5 +1,5 @@
-# Turns a board's name into the verdict of the campaign on it (campaign.py), once the program that
-# makes the groups is built.
+# Runs the campaign (campaign.py) on a named board, after building the program that makes the
+# groups.
 #   cmake -DBUILD=... -DPYTHON=... -DGROUPS=... -DCOMPILER=... -DWORK=... -DCOUNT=... -DFLAGS=...
 #     -DBOARD=m7 -P campaign.cmake
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${BUILD} --target campaign_groups

@@ -1,5 +1,5 @@
-// Turns groups, read as numbers one after the other, into numbers: all their configurations, which
-// are the same on every machine, and the instructions and the stack that each group took.
+// Solves groups read as numbers, and writes all their configurations, which are the same on every
+// machine, with the instructions and the stack that each group took.
 //
 // A group is its model's place in `Models`, its dimensions and its inputs. The answer is that
 // place, status, count, mobility, instructions, bytes of the stack and how many numbers each

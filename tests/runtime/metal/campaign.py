@@ -1,6 +1,6 @@
-"""Turns groups into answers of a board under QEMU, and compares them with those of the host:
-nothing may be lost or invented, no verdict may differ, and every number is the same bit for bit,
-but for a board whose arithmetic is not the host's. Both compute cosines, arcs and powers by
+"""Compares the answers for groups of a board under QEMU with those of the host: no configuration
+may be lost or invented, no verdict may differ, and every number must be bitwise equal, unless
+the board's arithmetic differs from the host's. Both compute cosines, arcs and powers by
 plain_mathematics.cpp.
 
 campaign.py GROUPS_PROGRAM COMPILER WORK COUNT FLAGS BOARD[_SCALAR]: `m4f`, `m4f_float`"""

@@ -1,6 +1,6 @@
-// Turns a number of groups into what the campaign on the metal reads: first those in special
-// position of which the table of exact answers tells (tests/mechanism/solve/lattice), of the kinds
-// of the campaign's models, then random ones.
+// Writes the input of the campaign on bare metal: first the groups in special position in the table
+// of exact answers (tests/mechanism/solve/lattice), of the kinds of the campaign's models, then
+// random ones.
 //   campaign_groups COUNT > groups
 #include <algorithm>
 #include <assur/mechanism/plan.hpp>

@@ -1,5 +1,5 @@
-// Turns a number into a model of the campaign on the metal: closed forms with angles and
-// displacements, and polynomials of degree four and six.
+// Models of the campaign on bare metal by number: closed forms with angles and displacements, and
+// polynomials of degree four and six.
 #pragma once
 
 #include <assur/dyad/model_01.hpp>

@@ -1,5 +1,5 @@
-"""Turns every example, and the campaign's groups, into the figures of docs/guide/embedding.md: what
-each takes of a Cortex-M7, by its compiler, its linker and QEMU. The page's tables are written anew.
+"""Rewrites the tables of docs/guide/embedding.md: size, memory and instructions on a Cortex-M7
+of every example and of the campaign's groups, by compiler, linker and QEMU.
 
 embedding_figures.py ASSUR WORK FLAGS BOARD=FIGURES...: what the campaign wrote of each board"""
 

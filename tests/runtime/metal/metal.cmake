@@ -1,5 +1,5 @@
-# Turns programs for a Cortex-M7 without an operating system into a verdict on what they link: no
-# heap, no exceptions, nothing that ends a program, nothing that runs before main.
+# Law: programs for a Cortex-M7 without an operating system link no heap, no exceptions, no function
+# that aborts, and no code that runs before main.
 #   cmake -DCOMPILER=arm-none-eabi-g++ -DNM=arm-none-eabi-nm -DFLAGS="-I..." -DWORK=... -DASSUR=...
 #     -DSCENE=<four-bar.json> -DEXAMPLES=examples -P metal.cmake
 cmake_minimum_required(VERSION 3.25)

@@ -1,6 +1,6 @@
-// Turns numbers into those functions of them that the runtime calls and that mathematics libraries
-// round differently, by products, sums, quotients and square roots alone. These give the same bits
-// on every machine, so that any difference between machines is in the rest of the code.
+// Mathematical functions that the runtime calls and that libraries round differently, by products,
+// sums, quotients and square roots alone. They give the same bits on every machine, so that any
+// difference between machines is in the rest of the code.
 
 extern "C" {
 

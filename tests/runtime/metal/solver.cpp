@@ -1,5 +1,5 @@
-// Turns numbers that the compiler cannot know into the answers of an emitted solver, ASSUR_SOLVER,
-// so that the linked program holds all of it.
+// Calls an emitted solver, ASSUR_SOLVER, with numbers unknown to the compiler, so that the linked
+// program holds all of it.
 #include ASSUR_HEADER
 #include <array>
 #include <cstddef>

@@ -1,6 +1,6 @@
-// Turns places of the drivers of an emitted solver, ASSUR_SOLVER, into the largest number of
-// instructions and the deepest stack that `solve` and `track` take: places all around at random,
-// and multiples of 15 degrees, where links are in line.
+// Largest number of instructions and deepest stack of `solve` and `track` of an emitted solver,
+// ASSUR_SOLVER, over random positions of the drivers and multiples of 15 degrees, at which links
+// are collinear.
 #include ASSUR_HEADER
 #include <algorithm>
 #include <array>

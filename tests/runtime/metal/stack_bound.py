@@ -1,5 +1,6 @@
-"""Turns a program for a Cortex-M into a bound of its stack: frames by the compiler
-(-fcallgraph-info=su) and, of libraries, by what their instructions take; calls by the program's instructions.
+"""Bound on the stack of a program for a Cortex-M: frame sizes from the compiler
+(-fcallgraph-info=su) and, for libraries, from their instructions; calls from the program's
+instructions.
 
 A call through a pointer may reach every function of which the program, linked with its relocations
 (-Wl,-q), takes the address. Root isolation calls itself at most as deep as `max_depth` of

@@ -1,4 +1,4 @@
-// Turns a RISC-V of 32 bits that has just been reset into one that runs main.
+// Start-up code of a 32-bit RISC-V: from reset to main.
 #include <cstdint>
 
 #include "semihosting.hpp"

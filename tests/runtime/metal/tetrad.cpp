@@ -1,5 +1,5 @@
-// Turns numbers that the compiler cannot know into a group's configurations and sensitivities, so
-// that the linked program holds all of their code.
+// Solves a group with numbers unknown to the compiler, so that the linked program holds all of the
+// code for configurations and sensitivities.
 #include <assur/assembly.hpp>
 #include <assur/kinematics.hpp>
 #include <assur/tetrad/model_01.hpp>

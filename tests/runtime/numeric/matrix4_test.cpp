@@ -1,4 +1,4 @@
-// Law: what is computed of matrices of four rows is what Eigen computes, by the same pivots.
+// Law: operations on four by four matrices agree with Eigen's, with the same pivots.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
-// Laws of the laboratory of configurations: what docs/reports/stability_configurations.svg shows of
-// the generated solvers, asserted on the same families.
+// Laws of the laboratory of configurations: the results for generated solvers in
+// docs/reports/stability_configurations.svg, asserted on the same families.
 #include <gtest/gtest.h>
 
 #include <iostream>

@@ -1,4 +1,4 @@
-// Laws of the stability laboratory: what docs/reports/stability.svg shows, asserted on the same
+// Laws of the stability laboratory: the results in docs/reports/stability.svg, asserted on the same
 // families and the same methods.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Expects of a call of the command that it was refused with one line that says what is expected.
+// Expects that a call of the command is refused with one given line.
 #pragma once
 
 #include <gtest/gtest.h>

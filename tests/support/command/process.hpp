@@ -1,5 +1,5 @@
-// Turns the arguments of the command `assur` into a process whose standard output is any
-// descriptor, and the process into its status, its messages and the memory that it held at most.
+// Runs the command `assur` with any descriptor as standard output, and returns its status, its
+// messages and its peak memory.
 #pragma once
 
 #include <fcntl.h>

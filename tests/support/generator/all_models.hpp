@@ -1,4 +1,4 @@
-// Lists the models of all groups, and names a test by its model.
+// The models of all groups, and test names for them.
 #pragma once
 
 #include <gtest/gtest.h>

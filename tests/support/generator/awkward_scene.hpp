@@ -1,4 +1,4 @@
-// Makes a scene whose names are no identifiers of C++, for the tests of emitted solvers.
+// A scene whose names are not identifiers of C++, for the tests of emitted solvers.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Measures the emitted functions of closures against their residual, and the residual against one
-// that is typed: Jacobians by complex steps, right-hand sides by differences in long double.
+// Tests emitted functions of closures against their residual, and the residual against a typed one:
+// Jacobians by complex steps, right-hand sides by differences in long double.
 #pragma once
 
 #include <array>
@@ -34,7 +34,7 @@ Variables variables_of(const List& values) {
   return variables;
 }
 
-/// Where and along what the functions are evaluated: values, then three orders of rates.
+/// A point of evaluation: values, and three orders of rates.
 struct Sample {
   Values d, u, q;
   Values d_rate, u_rate, q_rate, u_second, q_second, u_third;
@@ -63,7 +63,7 @@ double difference(const Found& found, const Expected& expected) {
       const double size = std::max(1.0, std::abs(double(expected(row, column))));
       const double error =
           std::abs(double(found(row, column)) - double(expected(row, column))) / size;
-      largest = error <= largest ? largest : error;  // an error that is no number stays
+      largest = error <= largest ? largest : error;  // NaN stays
     }
   }
   return largest;

@@ -1,4 +1,4 @@
-// Turns a model into the LaTeX that `assur derive` writes of it, and into the map that reads it.
+// The LaTeX that `assur derive` writes for a model, and the map that reads it.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace assur::test {
 
-/// `d(f?, x)*rate(x) + ...` over the unknowns: the side that stands right of J q' = b.
+/// `d(f?, x)*rate(x) + ...` over the unknowns: the right-hand side of J q' = b.
 inline std::string product_with_jacobian(const generator::document::Derivation& derivation,
                                          const std::string& rate) {
   std::string text;
@@ -24,7 +24,7 @@ inline bool is_square(const generator::document::Derivation& derivation) {
   return derivation.jacobian.rows.size() == derivation.jacobian.columns.size();
 }
 
-/// What ties the notation of a derivation to the model's quantities.
+/// The map from the notation of a derivation to the model's quantities.
 inline std::string map_of(const generator::document::Derivation& derivation) {
   std::string map =
       "model " +

@@ -1,4 +1,4 @@
-// Turns the text of an emitted solver into its code, its structs, and what they declare.
+// Parts of an emitted solver's text: its code, its structs, and their declarations.
 #pragma once
 
 #include <map>

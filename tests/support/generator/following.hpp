@@ -1,5 +1,5 @@
-// Turns an emitted solver into what its `track` says of every branch along a range of its first
-// driver. A program of C++17 that includes solvers includes this as well.
+// Runs `track` of an emitted solver for every branch along a range of its first driver. For
+// inclusion in a program of C++17 that includes solvers.
 #pragma once
 
 #include <algorithm>
@@ -39,8 +39,8 @@ class Following {
     }
   }
 
-  /// Follows each configuration of the first step to its branch's end and back: prints where it
-  /// ends, which listed configuration it is at each step, and how far from its start it comes back.
+  /// Follows each configuration of the first step to its branch's end and back; prints the end, the
+  /// listed configuration at each step, and the distance between start and return.
   template <typename NumbersOf>
   void print(const NumbersOf& numbers_of) const {
     const int count = static_cast<int>(listed_.front().size());
@@ -109,7 +109,7 @@ class Following {
     }
     return largest;
   }
-  /// The place of the nearest listed configuration, and how far it is.
+  /// The index of the nearest listed configuration, and its distance.
   [[nodiscard]] std::pair<int, double> nearest(int step, const std::vector<double>& numbers) const {
     std::pair<int, double> best{-1, std::numeric_limits<double>::infinity()};
     const auto& list = listed_[static_cast<std::size_t>(step)];

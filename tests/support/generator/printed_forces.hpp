@@ -1,5 +1,4 @@
-// Turns forces into the code by which a program prints those of an emitted solver's state, and
-// back.
+// Code that prints the forces in an emitted solver's state, and the reader of its output.
 #pragma once
 
 #include <assur/mechanism/forces.hpp>
@@ -9,15 +8,15 @@
 
 namespace assur::test {
 
-/// The forces in the first configuration: they say which forces are told at all.
+/// The forces in the first configuration, which show what forces are reported at all.
 inline mechanism::Forces forces_in(const Solved& scene) {
   return scene.configurations().empty()
              ? mechanism::Forces{}
              : mechanism::forces_of(scene.values, scene.configurations().front());
 }
 
-/// C++ that prints every number that a state `s` tells of forces: efforts, the force on each link
-/// of each joint, in order, with a slide's couple, and the resultant on the ground.
+/// C++ that prints every number of forces in a state `s`: efforts, the force on each link of each
+/// joint, in order, with a slide's couple, and the resultant on the ground.
 inline std::string code_that_prints_forces(const Solved& scene) {
   const mechanism::Mechanism& mechanism = scene.plan.mechanism();
   std::string code;
@@ -82,7 +81,7 @@ inline mechanism::Forces read_forces(std::istream& printed, const Solved& scene)
   return forces;
 }
 
-/// A number that is told, under the name of what it belongs to. A vector is two of them.
+/// A reported number, with the name of its part. A vector is two of them.
 struct ToldNumber {
   std::string of;
   double value;

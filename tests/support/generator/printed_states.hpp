@@ -1,4 +1,4 @@
-// Turns scenes into one program of their emitted solvers, and into what it prints of every state.
+// One program of the emitted solvers of several scenes, and its output for every state.
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace assur::test {
 
-/// A scene by its name, which the files of its solver have.
+/// A scene and its name, which is also that of its solver's files.
 struct NamedScene {
   std::string name;
   nlohmann::ordered_json json;
@@ -28,9 +28,9 @@ inline double read_number(std::istream& printed) {
   return std::strtod(text.c_str(), nullptr);
 }
 
-/// Emits a solver for each scene, and runs all in one program: it prints how many configurations
-/// there are of each scene, and what `code_of(scene)` prints of every state `s`. The solvers'
-/// struct is `S`, and `head` is in front of the functions.
+/// Emits a solver for each scene, and runs all in one program: it prints the number of
+/// configurations of each scene, and the output of `code_of(scene)` for every state `s`. The
+/// solvers' struct is `S`, and `head` is in front of the functions.
 inline std::istringstream printed_states(const std::vector<NamedScene>& scenes,
                                          const std::function<std::string(const Solved&)>& code_of,
                                          const std::string& scalar = "double",
@@ -67,7 +67,7 @@ inline std::istringstream printed_states(const std::vector<NamedScene>& scenes,
   return std::istringstream(read_file(directory.path() / "printed"));
 }
 
-/// Calls `compare` for every configuration of every scene, which reads what was printed of it.
+/// Calls `compare` for every configuration of every scene, to read its printed numbers.
 inline void for_each_printed(
     const std::vector<NamedScene>& scenes, std::istringstream printed,
     const std::function<void(const Solved&, const Configuration&, std::istream&)>& compare) {

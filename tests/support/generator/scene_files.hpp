@@ -1,4 +1,4 @@
-// Turns folders into the scenes that are in them.
+// Lists of the scene files in folders.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Turns what `assur solve` says of a scene into numbers, each with the C++ that reads the same one
-// from the scene's emitted solver.
+// The numbers in a report of `assur solve`, each with the C++ that reads the same number from the
+// scene's emitted solver.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -15,10 +15,10 @@
 
 namespace assur::test {
 
-/// How far the drivers are moved on from where the scene has them.
+/// Steps of the drivers from their positions in the scene.
 inline const std::vector<double> driver_steps = {0, 0.05, -0.11, 0.31};
 
-/// A scene whose solver is emitted, and what it is called there.
+/// A scene with an emitted solver, and its names there.
 struct EmittedScene {
   std::filesystem::path file;
   std::string header;                          ///< below assur/scenes, without extension
@@ -35,7 +35,7 @@ inline nlohmann::ordered_json scene_json(const std::filesystem::path& file) {
   return nlohmann::ordered_json::parse(read_file(file));
 }
 
-/// One number of a configuration: of which sort it is, the C++ that reads it, and its value.
+/// One number of a configuration: its sort, the C++ that reads it, and its value.
 struct Reading {
   std::string sort;
   std::string code;
@@ -118,7 +118,7 @@ class ReadingList {
     }
   }
 
-  /// Whether a parameter has a tolerance; otherwise the solver says nothing of tolerances.
+  /// Whether a parameter has a tolerance; otherwise the solver has no results on tolerances.
   [[nodiscard]] bool has_tolerances() const {
     const Json parameters = json_.value("parameters", Json::object());
     return std::any_of(parameters.begin(), parameters.end(), [](const Json& parameter) {

@@ -1,5 +1,4 @@
-// Turns scenes into a program of their emitted solvers, and compares what it prints with what
-// `assur solve` says.
+// Comparison of emitted solvers, run in one program, with `assur solve`.
 #pragma once
 
 #include <cctype>
@@ -10,7 +9,7 @@
 
 namespace assur::test {
 
-/// How far numbers may differ, relative to the largest of their sort in the configuration.
+/// The largest difference of numbers, relative to the largest of their sort in the configuration.
 inline constexpr double agreement = 1e-12;
 
 inline const std::string warnings_as_errors = " -Wall -Wextra -Wconversion -Wshadow -Werror ";
@@ -48,7 +47,7 @@ inline void compile(const std::string& compiler, const std::string& options,
       << compiler << ": " << read_file(directory.path() / "errors").substr(0, 4000);
 }
 
-/// A compiler with its options, and what it links to each program.
+/// A compiler with its options and libraries.
 struct SolverCompiler {
   std::string command;
   std::string objects = {};
@@ -137,7 +136,7 @@ inline std::string printing_function(const EmittedScene& scene, const SolveReadi
   return code.str();
 }
 
-/// Reads what the program printed of a scene and gives the number of comparisons.
+/// Compares the program's output for a scene; returns the number of comparisons.
 inline int compare_printed(std::istream& printed, const EmittedScene& scene,
                            const SolveReadings& expected) {
   double largest = 0;
@@ -176,7 +175,7 @@ inline int compare_printed(std::istream& printed, const EmittedScene& scene,
   return compared;
 }
 
-/// Expects that every number of every scene agrees, and gives how many of each were compared.
+/// Expects that every number of every scene agrees; returns the numbers of comparisons.
 inline std::vector<int> compare_with_solve(const std::vector<EmittedScene>& scenes,
                                            const SolverCompiler& compiler = quick_compiler()) {
   const TemporaryDirectory directory;

@@ -1,5 +1,5 @@
-// Tracks of emitted solvers of a four-bar and a slider-crank past change points and gaps, judged by
-// formulas. A program of C++17 that includes both solvers includes this as well.
+// Tracks of emitted solvers of a four-bar and a slider-crank past change points and gaps, checked
+// by formulas. For inclusion in a program of C++17 that includes both solvers.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace assur::test {
 
 constexpr double pi = 3.141592653589793;
 
-/// How far a mechanism is from its change points along a way of its crank.
+/// The distance of a mechanism from its change points along a path of its crank.
 struct Margin {
   double least = std::numeric_limits<double>::infinity();  ///< in parts of the lengths
   int change_points = 0;                                   ///< that the way passes
@@ -21,7 +21,7 @@ struct Margin {
 
   /// Branches meet at an angle of the crank where the margin vanishes.
   void look(double angle, long double margin, double from, double to) {
-    constexpr double beside = 1e-2;  // in float velocities are not known there
+    constexpr double beside = 1e-2;  // in float velocities are unknown there
     least = std::min(least, static_cast<double>(margin));
     if (std::abs(margin) < rounding) {
       ends_on_one |= std::min(std::abs(angle - from), std::abs(angle - to)) < beside;
@@ -36,9 +36,9 @@ struct FourBarLengths {
   using Solver = assur::scenes::FourBar;
   double a = 0, b = 0, c = 0, d = 0;
 
-  /// How far the angle at the rocker's pin is from stretched and from folded along a way of the
-  /// crank, in parts of the lengths: the distance r of B and D goes from |b - c| to b + c. It is
-  /// extreme at the ends, and where the crank is in line with the frame.
+  /// The distance of the angle at the rocker's pin from stretched and from folded along a path of
+  /// the crank, relative to the lengths: the distance r of B and D lies between |b - c| and b + c.
+  /// It is extreme at the ends, and where the crank is in line with the frame.
   [[nodiscard]] Margin margin(double from, double to) const {
     Margin result;
     const auto look = [&](double angle) {
@@ -221,8 +221,8 @@ class TrackedLengths {
       ++reached_;
       passed_ += is_through ? 1 : 0;
       const State& start = states[static_cast<std::size_t>(index)];
-      // Where the margin stays positive a branch keeps to its side, and at a change point it goes
-      // over to the other.
+      // If the margin stays positive a branch keeps to its side; at a change point it changes to
+      // the other.
       const bool changes_side = lengths.is_left(start, from) != lengths.is_left(state, to);
       const bool is_open = margin.least < -Margin::rounding;
       const bool is_right =

@@ -1,4 +1,4 @@
-// Turns mechanisms whose dimensions are parameters into scenes, with values that these may have.
+// Scenes of mechanisms whose dimensions are parameters, with admissible values.
 #pragma once
 
 #include <array>

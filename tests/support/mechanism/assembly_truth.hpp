@@ -1,4 +1,4 @@
-// Turns circles that meet, one pair after the other, into all assemblies of a chain of dyads.
+// All assemblies of a chain of dyads, by successive intersections of circles.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Turns bars with revolute joints into scenes, for tests of how a scene falls into groups.
+// Scenes of bars with revolute joints, for tests of the decomposition into groups.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Turns seeds into groups on lattices whose ternary links have points that coincide.
+// Random groups on lattices whose ternary links have coincident points.
 #pragma once
 
 #include <array>

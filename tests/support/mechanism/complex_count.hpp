@@ -1,5 +1,5 @@
 // The number of complex configurations of a group in general position, counted modulo a prime from
-// rigid bodies. It knows no loops and no determinants: the independent truth for larger groups.
+// rigid bodies, without loops or determinants: the independent truth for larger groups.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +48,7 @@ class Residues {
 
 /// The rigid links of a group as points of the complex plane, P + theta r, with random dimensions
 /// modulo a prime. The conjugates of P, theta and r are unknowns and numbers of their own, and
-/// theta times its conjugate is one. Pins and equal angles are linear; what is left of them are
+/// theta times its conjugate is one. Pins and equal angles are linear; their elimination leaves
 /// `free_count` unknowns u and as many conjugates v, in which the conditions
 ///   theta t = 1 of each link,   D conj(L) - conj(D) L = 0 of each slide
 /// (D between its points, L along its line) are products of a form in u and a form in v, summed.
@@ -103,8 +103,8 @@ class GroupModuloPrime {
 
   /// The dimension of the ring of polynomials in u and v modulo the conditions, by the rank of
   /// their multiples up to a degree (Macaulay), to which those of lower degree that arise are
-  /// multiplied again. Nothing where up to `highest_degree` the products of degree D - 1 and D are
-  /// not all reduced to lower ones: it is not finite, so that the group moves.
+  /// multiplied again. Empty if up to `highest_degree` the products of degree D - 1 and D are not
+  /// all reduced to lower ones: the dimension is infinite, so the group moves.
   [[nodiscard]] std::optional<int> count(int highest_degree) const {
     for (int degree = 3; is_counted_right_ && degree <= highest_degree; ++degree) {
       if (const std::optional<int> result = count_up_to(degree)) {
@@ -114,7 +114,8 @@ class GroupModuloPrime {
     return std::nullopt;
   }
 
-  /// The same question for Singular: it prints the dimension, or -1 where it is not finite.
+  /// The program of the same computation for Singular: it prints the dimension, or -1 if it is
+  /// infinite.
   [[nodiscard]] std::string asked_of_singular() const {
     if (!is_counted_right_) {
       return "-1;\n";
@@ -291,7 +292,7 @@ class GroupModuloPrime {
         if (rows[place].empty()) {
           first = std::min(first, place);
           if (degree_at[place] < degree_at[first]) {
-            break;  // what follows need not be reduced
+            break;  // the rest need not be reduced
           }
         } else {
           residues_.add(row, residues_.negative(row[place]), rows[place]);

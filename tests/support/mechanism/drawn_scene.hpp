@@ -1,4 +1,4 @@
-// Turns the name of an example into its drawing and its solution, each made once.
+// Drawing and solution of an example, each computed once.
 #pragma once
 
 #include <assur/mechanism/drawing.hpp>

@@ -1,5 +1,4 @@
-// Turns seeds into scenes with drivers anywhere, and their solutions into what rigid bodies can be
-// asked about.
+// Random scenes with drivers anywhere, and their solutions in terms of rigid bodies.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -47,9 +46,9 @@ inline std::string name_of_ties(const testing::TestParamInfo<Ties>& ties) {
                                       : "InLargerGroups";
 }
 
-/// How near the constraints' Jacobian is to a singular one: the least pivot of orthogonal
-/// elimination as a part of the largest. Singular values are more accurate by a factor, but
-/// take a hundred times as long.
+/// The condition of the constraints' Jacobian: the ratio of the least to the largest pivot of
+/// orthogonal elimination. Singular values are more accurate by a factor, but take a hundred times
+/// as long.
 inline Real condition_of(const RigidScene& rigid, const RealVector& q) {
   const RealMatrix jacobian = rigid.jacobian(q);
   const RealVector pivots =
@@ -57,7 +56,7 @@ inline Real condition_of(const RigidScene& rigid, const RealVector& q) {
   return pivots.minCoeff() / pivots.maxCoeff();
 }
 
-/// The poses in which the bodies of a scene were thrown.
+/// The random poses in which the bodies of a scene were placed.
 inline RealVector thrown_poses(const RigidScene& rigid, const mechanism::Mechanism& mechanism,
                                const RandomDrivenScene& made) {
   RealVector q(rigid.size());
@@ -82,13 +81,13 @@ inline RealVector rates_of(const RigidScene& rigid, const Configuration& configu
   return result;
 }
 
-/// Difference of two vectors as a part of the larger of them, or of `least` if both are less.
+/// Difference of two vectors relative to the larger of them, or to `least` if both are smaller.
 inline double relative(const RealVector& one, const RealVector& other, Real least = 1e-9L) {
   const Real size = std::max({one.cwiseAbs().maxCoeff(), other.cwiseAbs().maxCoeff(), least});
   return static_cast<double>((one - other).cwiseAbs().maxCoeff() / size);
 }
 
-/// How far two poses of a link are apart: a length, or the sine of an angle.
+/// The difference of two poses of a link: a length, or the sine of an angle.
 inline double pose_difference(const ::assur::Pose<double>& one, const ::assur::Pose<double>& two) {
   return std::max({std::abs(one.x - two.x), std::abs(one.y - two.y),
                    std::abs(turned(one.direction, reversed(two.direction)).sin)});

@@ -1,5 +1,4 @@
-// Turns a seed into a mechanism of dyads in a row on a small integer lattice, and that into a scene
-// in any listing, place and unit.
+// Random chains of dyads on a small integer lattice, as scenes in any listing, position and unit.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +15,7 @@
 
 namespace assur::test {
 
-/// Where a link stands: what is at p in its frame is at origin + turn p.
+/// The pose of a link: a point p of its frame is at origin + turn p.
 template <typename Number>
 struct ChainPose {
   Number turn;
@@ -34,7 +33,7 @@ struct ChainFeature {
 
 /// How a listing of a chain differs from another: in order, place, direction and unit.
 struct ChainListing {
-  unsigned order = 0;      ///< 0: as it was made
+  unsigned order = 0;      ///< 0: the original order
   bool exchanged = false;  ///< the two sides of joints that are not driven
   int x = 0, y = 0;        ///< where the ground's origin is moved
   int quarters = 0;        ///< by which the ground is turned
@@ -56,7 +55,7 @@ struct ChainJoint {
   std::array<std::size_t, 2> features;
 };
 
-/// A dyad and what holds it: two links, that of the first joint first, or one link and a block.
+/// A dyad and its bases: two links, that of the first joint first, or one link and a block.
 struct ChainDyad {
   enum class Kind : unsigned char { rrr, rpr, rrp, prp, rpp };
   Kind kind;
@@ -67,7 +66,7 @@ struct ChainDyad {
   std::array<ChainFeature, 6> features;
 };
 
-/// A driven crank, another one on it or on the ground, and dyads, each held by what stands before.
+/// A driven crank, another one on it or on the ground, and dyads, each held by earlier links.
 class DyadChain {
  public:
   explicit DyadChain(unsigned seed) : seed_(seed), engine_(seed) {
@@ -198,8 +197,8 @@ class DyadChain {
     const Gaussian by = turn(&text);
     turns_.push_back(text);
     const Gaussian direction = links_[base].known.turn * by;
-    // Where the pivot is on the crank: mostly its origin, and sometimes far away, where the other
-    // end of a long crank is computed as the difference of two long numbers.
+    // The pivot on the crank: mostly its origin, and sometimes far away, so that the other end of a
+    // long crank is the difference of two large numbers.
     const Gaussian far{1000 * within(1), 100 * within(3)};
     const unsigned which = draw(6);
     const Gaussian own = which == 0 ? far : which < 3 ? place() : Gaussian{0, 0};
@@ -337,7 +336,7 @@ class DyadChain {
       feature.at = feature.at + Gaussian{listing.x, listing.y};
     }
     const std::string place = vector_text(feature.at, listing.unit);
-    // A direction has no size: five of it have no denominator.
+    // A direction has no size: five times it has no denominator.
     return !feature.line ? place
                          : R"({"through": )" + place + R"(, "along": )" +
                                vector_text(Gaussian{25} * feature.along, 0) + "}";
@@ -350,7 +349,7 @@ class DyadChain {
   std::vector<ChainLink> links_;
   std::vector<ChainJoint> joints_;
   std::vector<ChainDyad> dyads_;
-  std::vector<std::string> turns_;  ///< of the cranks against what they turn on
+  std::vector<std::string> turns_;  ///< of the cranks relative to their bases
   std::size_t driven_ = 1;
 };
 

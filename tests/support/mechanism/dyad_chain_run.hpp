@@ -1,4 +1,4 @@
-// Turns chains of dyads on a lattice into what is wrong with the library's answers to them.
+// Faults of the library's answers for chains of dyads on a lattice.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Turns a chain of dyads into its exact answer in Gaussian rationals.
+// Exact configurations of a chain of dyads in Gaussian rationals.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ struct DyadPosition {
   std::optional<std::array<ChainPose<Gaussian>, 2>> exact;
 };
 
-/// All that is known of a dyad whose bases stand still.
+/// The exact answer for a dyad with fixed bases.
 struct DyadAnswer {
   int mobility = 0;           ///< of a dyad that moves
   bool inconsistent = false;  ///< its slides are parallel, and it does not close
@@ -72,7 +72,7 @@ class ExactDyad {
         const Gaussian other = second_.turn * f[5].along;
         const Gaussian turn = other / f[4].along;
         const Gaussian one = turn * f[3].along;
-        // Where the second link's origin would be if it stood on one of the slides alone.
+        // The second link's origin on one of the slides alone.
         const ChainPose<Gaussian> pinned{one / f[2].along, {}};
         const Gaussian on_first = first_(f[0].at) + pinned(f[2].at - f[1].at) - turn * f[3].at;
         const Gaussian on_second = second_(f[5].at) - turn * f[4].at;
@@ -143,7 +143,7 @@ class ExactDyad {
     return number.rounded();
   }
 
-  /// The poses of both links for a root, or for where slides cross.
+  /// The poses of both links for a root, or for the crossing of slides.
   template <typename Number>
   [[nodiscard]] std::array<ChainPose<Number>, 2> completed(const Number& root,
                                                            const Number& given) const {
@@ -211,11 +211,11 @@ struct ChainConfiguration {
 
 /// The exact answer to a chain.
 struct ChainTruth {
-  /// False where the answer depends on an irrational position, or on one that is known only to the
-  /// root of rounding, or where slides are parallel and do not close.
+  /// False if the answer depends on an irrational position, or on one known only to the square root
+  /// of epsilon, or if slides are parallel and do not close.
   bool known = true;
   std::vector<ChainConfiguration> configurations;
-  /// For each family the links that stand: the ground, the cranks, and the dyads that hold it.
+  /// For each family the fixed links: the ground, the cranks, and the dyads that hold it.
   std::multiset<std::set<std::string>> families;
   int mobility = 0;
 };
@@ -247,8 +247,8 @@ class ExactChain {
   }
 
  private:
-  /// The links that stand still in a family. The family is given by the number of the dyad that
-  /// moves and by the choices of the dyads that hold it.
+  /// The fixed links of a family, which is given by the number of the moving dyad and by the
+  /// choices of the dyads that hold it.
   [[nodiscard]] std::set<std::string> placed_links(const std::vector<int>& family) const {
     std::set<std::string> placed;
     for (std::size_t link = 0; link < chain_.driven(); ++link) {

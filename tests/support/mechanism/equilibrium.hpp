@@ -1,5 +1,5 @@
-// Turns forces that are claimed for a configuration into what is left of the equilibrium of every
-// link: three equations a link, written down from joints and loads one by one.
+// Residual of the equilibrium of every link under given forces: three equations a link, written
+// down from joints and loads one by one.
 #pragma once
 
 #include <algorithm>
@@ -63,7 +63,7 @@ class LinkSums {
     const auto& of = mechanism_.features()[feature];
     return at(of.link, {number(of.x), number(of.y)});
   }
-  /// A number after some time, in which parameters have gone on; zero where it does not exist.
+  /// A number after some time, in which parameters have moved; zero if it does not exist.
   [[nodiscard]] double moved(mechanism::NumberIndex index, double time) const {
     return index.exists() ? mechanism_.numbers()[index].formula.evaluate<double>(
                                 [&](mechanism::ParameterIndex at) {
@@ -100,8 +100,8 @@ class LinkSums {
   [[nodiscard]] FeatureIndex other_of(const mechanism::Joint& joint) const {
     return joint.between[mechanism_.features()[joint.between[0]].is_line ? 1 : 0];
   }
-  /// As measured, or as a law says where a driver turns the joint. Which whole turns an angle has
-  /// that laws read is a part of the configuration.
+  /// The coordinate as measured, or, if a driver turns the joint, as given by its law. The whole
+  /// turns of an angle that laws read are part of the configuration.
   [[nodiscard]] double coordinate(JointIndex index) const {
     const mechanism::Joint& joint = mechanism_.joints()[index];
     if (joint.type != mechanism::JointType::revolute) {
@@ -141,7 +141,7 @@ class LinkSums {
     sums_[link] += Eigen::Vector3d(force.x(), force.y(), moment);
     largest_ = std::max({largest_, force.norm(), std::abs(moment)});
   }
-  /// An effort along the coordinate of a joint, and against it on the other link.
+  /// Adds an effort along the coordinate of a joint, and its opposite on the other link.
   void add_along(const mechanism::Joint& joint, double effort) {
     if (joint.type == mechanism::JointType::revolute) {
       add(link_of(joint.between[1]), Vector::Zero(), Vector::Zero(), effort);
@@ -162,7 +162,7 @@ class LinkSums {
       const Vector arm = turned(link, own);
       const Eigen::Vector3d& a = configuration_.links[link].acceleration;
       const double omega = configuration_.links[link].velocity(2);
-      // The differences are those of formulas that are at most quadratic in time.
+      // The differentiated formulas are at most quadratic in time.
       constexpr double step = 0.05;
       const auto difference = [&](double back, double here, double on) {
         return turned(

@@ -1,4 +1,4 @@
-// Turns the place and the length of a third crank into a parallelogram that has it.
+// A parallelogram with a third crank of given position and length.
 #pragma once
 
 #include "mechanism/bars.hpp"

@@ -1,4 +1,4 @@
-// Turns Gaussian rationals into sums, products and quotients, without rounding.
+// Exact arithmetic on Gaussian rationals.
 #pragma once
 
 #include <complex>

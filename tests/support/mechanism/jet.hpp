@@ -1,4 +1,4 @@
-// Turns formulas into formulas for their values and first two derivatives with respect to time.
+// Numbers with their first two time derivatives.
 #pragma once
 
 #include <cmath>

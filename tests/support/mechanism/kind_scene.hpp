@@ -1,4 +1,4 @@
-// Turns a random group of one kind into the text of a scene.
+// The scene of a random group of a given kind.
 #pragma once
 
 #include <cmath>

@@ -18,8 +18,8 @@ namespace assur::test {
 /// The links that each joint of a chain joins.
 using Chain = std::vector<std::pair<int, int>>;
 
-/// Whether every part of a chain keeps at least this mobility: 3 (k - 1) - 2 e of k links that e
-/// joints join.
+/// Whether every part of a chain keeps at least this mobility: 3 (k - 1) - 2 e for k links and e
+/// joints.
 inline bool moves_in_all_parts(const Chain& chain, int links, int whole) {
   for (unsigned part = 0; part < (1U << links); ++part) {
     const int count = std::popcount(part);
@@ -75,7 +75,8 @@ struct ChainWithSlides {
 };
 
 /// The kinds of the seven-link chains with slides in three directions or more: no elimination
-/// leaves one unknown of them. All are rigid but those in which slides tie links in a circle.
+/// reduces them to one unknown. All are rigid except those in which slides couple links in a
+/// circle.
 inline std::vector<ChainWithSlides> chains_with_slides_in_three_directions() {
   std::vector<ChainWithSlides> result;
   for (const Chain& chain : seven_link_chains()) {
@@ -92,7 +93,7 @@ inline std::vector<ChainWithSlides> chains_with_slides_in_three_directions() {
   return result;
 }
 
-/// The group that is left of a chain when one link becomes the base.
+/// The group that remains of a chain if one link is the base.
 inline mechanism::GroupStructure grounded(const Chain& chain, int links, int base) {
   const auto renumbered = [base](int link) {
     return link == base ? base_link : link - (link > base ? 1 : 0);
@@ -112,7 +113,7 @@ inline mechanism::GroupStructure grounded(const Chain& chain, int links, int bas
   return result;
 }
 
-/// Its model where these joints slide; null where it has no isolated configuration.
+/// Its model if these joints slide; null if it has no isolated configuration.
 inline const mechanism::GroupModel* model_of(const mechanism::GroupStructure& group,
                                              const std::vector<bool>& slides) {
   std::vector<ModelJoint> joints = group.joints;

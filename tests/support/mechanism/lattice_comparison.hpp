@@ -1,4 +1,5 @@
-// Turns the library's answer to a scene on a lattice into what it lost, invented and misjudged.
+// Comparison of the library's answer to a scene on a lattice with the exact one: lost, invented and
+// misjudged configurations.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -18,7 +19,7 @@
 
 namespace assur::test {
 
-/// A listed configuration and what can be said of it without the library.
+/// A listed configuration, with an independent assessment.
 struct ListedConfiguration {
   std::vector<Eigen::Isometry2d> poses;  ///< of the group's links, in the order of the scene
   bool regular = false;                  ///< as the library says
@@ -26,7 +27,7 @@ struct ListedConfiguration {
   double smallest = 0;                   ///< singular value of the joints' velocity equations
 };
 
-/// What the library says of a scene. Where its answers change, `lattice_answer` is to be adapted.
+/// The library's answer for a scene, as read by `lattice_answer`.
 struct LatticeAnswer {
   bool has_family = false;
   int mobility = 0;
@@ -36,17 +37,17 @@ struct LatticeAnswer {
 /// What is wrong with an answer.
 struct LatticeFaults {
   int lost = 0;             ///< isolated configurations that are not listed
-  int hidden = 0;           ///< lost, where nothing is listed because there is a family, too
+  int hidden = 0;           ///< lost, but nothing is listed because there is also a family
   int invented = 0;         ///< listed ones that are none, do not close or are listed twice
-  int open = 0;             ///< of the invented the ones that do not close
-  int twice = 0;            ///< of the invented the ones that are listed before
+  int open = 0;             ///< invented ones that do not close
+  int twice = 0;            ///< invented ones that repeat an earlier one
   int called_regular = 0;   ///< that are singular in truth
   int called_singular = 0;  ///< that are regular in truth and well conditioned
   int no_family = 0;        ///< there is a family and the answer does not say so
-  int false_family = 0;     ///< the answer tells of a family and there is none
+  int false_family = 0;     ///< the answer reports a family and there is none
   int wrong_mobility = 0;
-  int renumbered = 0;  ///< another listing is answered otherwise
-  int exchanged = 0;   ///< the same, where the two links of joints change places
+  int renumbered = 0;  ///< another listing has another answer
+  int exchanged = 0;   ///< the same, with the two links of joints exchanged
   int refused = 0;     ///< the library throws
   int tolerated = 0;   ///< called near singular, regular in truth, badly conditioned: no fault
 
@@ -122,8 +123,8 @@ inline PlacedFeature placed_feature(const LatticeScene& scene, const LatticeJoin
   return {poses[index] * point, poses[index].linear() * along};
 }
 
-/// How far the joints are from closed, and the derivatives of that by the links' velocities. A link
-/// has the velocity of its point at the origin of the ground, and a rate of turning.
+/// The gaps of the joints, and their derivatives with respect to the links' velocities. A link's
+/// velocity is that of its point at the origin of the ground, and its angular velocity.
 struct ClosureEquations {
   Eigen::VectorXd miss;
   Eigen::MatrixXd jacobian;
@@ -173,7 +174,7 @@ inline void examine(const LatticeScene& scene, ListedConfiguration& configuratio
   const ClosureEquations equations = closure_equations(scene, configuration.poses);
   configuration.residual = equations.miss.cwiseAbs().maxCoeff<Eigen::PropagateNaN>();
   for (const Eigen::Isometry2d& pose : configuration.poses) {
-    // A direction has to be of length one, and what is far away closes only to its rounding.
+    // A direction must be a unit vector; distant joints close only to their rounding.
     const double miss = std::max(std::abs(pose.linear().determinant() - 1),
                                  1e-16 * pose.translation().cwiseAbs().maxCoeff());
     configuration.residual = !(miss <= configuration.residual) ? miss : configuration.residual;
@@ -218,12 +219,12 @@ inline double difference(const ListedConfiguration& one, const ListedConfigurati
   return largest;
 }
 
-/// Configurations less than this apart are one: on the lattice, others are further apart, and one
+/// Configurations closer than this are the same: on the lattice, others are further apart, and one
 /// of multiplicity four is known to 1e-3 only.
 inline constexpr double same_configuration = 5e-3;
 /// Lengths are up to ten.
 inline constexpr double closes = 1e-12;
-/// A worse Jacobian may be called near singular wherever it is regular.
+/// A configuration with a worse Jacobian may be called near singular although it is regular.
 inline constexpr double well_conditioned = 1e-6;
 
 inline LatticeFaults lattice_faults(const LatticeTruth& truth, const LatticeAnswer& answer) {

@@ -1,4 +1,4 @@
-// Turns rows of the table of exact answers into the library's faults by kind, with the scenes.
+// The library's faults by kind, with their scenes, over rows of the table of exact answers.
 #pragma once
 
 #include <filesystem>
@@ -14,12 +14,12 @@ namespace assur::test {
 struct LatticeTally {
   int scenes = 0;
   int untold = 0;   ///< scenes of which there is no exact answer
-  int faulty = 0;   ///< scenes that are answered wrong
-  int serious = 0;  ///< of those the ones with wrong configurations or verdicts
+  int faulty = 0;   ///< scenes with a wrong answer
+  int serious = 0;  ///< of these, with wrong configurations or verdicts
   int configurations = 0;
-  double residual = 0;          ///< the largest of what closes
-  double smallest_apart = 1e9;  ///< of two regular configurations of one scene
-  double smallest = 1e9;        ///< singular value at what is called regular
+  double residual = 0;          ///< the largest of a closed configuration
+  double smallest_apart = 1e9;  ///< distance of two regular configurations of one scene
+  double smallest = 1e9;        ///< singular value of a configuration called regular
   LatticeFaults faults;
 };
 
@@ -29,7 +29,7 @@ class LatticeRun {
   LatticeRun(std::ostream& out, std::string directory)
       : out_(out), directory_(std::move(directory)), kinds_(lattice_kinds()) {}
 
-  /// Solves a scene in two listings and says whether both are answered rightly and alike.
+  /// Solves a scene in two listings; returns whether both answers are right and equal.
   bool run(const LatticeTruth& truth) {
     LatticeTally& tally = tallies_[truth.kind];
     LatticeTally& of_class = by_class_[truth.exactness];

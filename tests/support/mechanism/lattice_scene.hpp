@@ -1,5 +1,5 @@
-// Turns a kind and a seed into a group in special position, on a small integer lattice, as a scene
-// in any listing and as the exact numbers that its closure is made of.
+// A random group of a given kind in special position on a small integer lattice, as a scene in any
+// listing and as the exact numbers of its closures.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Turns a group on a lattice into the configurations that Newton's method finds from random starts.
+// Configurations of a group on a lattice by Newton's method from random starts.
 #pragma once
 
 #include <Eigen/QR>

@@ -1,4 +1,4 @@
-// Turns the table of exact answers for groups on a lattice into rows that tests compare with.
+// Reads the table of exact answers for groups on a lattice.
 #pragma once
 
 #include <fstream>
@@ -14,10 +14,10 @@ struct LatticeTruth {
   std::string kind;
   unsigned seed = 0;
   std::string exactness;
-  bool known = false;  ///< false where exact arithmetic did not tell
+  bool known = false;  ///< false if exact arithmetic had no answer
   int mobility = 0;    ///< of the largest real family; 0 where there is none
   int isolated = 0;    ///< real configurations that are on no family
-  int singular = 0;    ///< of those the ones at which the loop equations are singular
+  int singular = 0;    ///< of these, the ones at which the loop equations are singular
 
   [[nodiscard]] int regular() const { return isolated - singular; }
 };

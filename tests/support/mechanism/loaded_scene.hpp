@@ -1,4 +1,4 @@
-// Turns a scene into one with masses, loads and springs wherever there can be some.
+// Adds masses, loads and springs to a scene wherever possible.
 #pragma once
 
 #include <nlohmann/json.hpp>

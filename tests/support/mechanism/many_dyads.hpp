@@ -1,4 +1,5 @@
-// Makes scenes of dyads in a row, each of which closes wherever those before it stand.
+// Scenes of dyads in a row, each of which can be assembled for any configuration of the previous
+// ones.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// Turns counts of what went wrong into one line of those that are not zero.
+// One line that lists the nonzero counts of faults.
 #pragma once
 
 #include <ostream>

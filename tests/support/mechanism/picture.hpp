@@ -1,5 +1,5 @@
-// Turns a drawing into its SVG picture and the places of its elements, and configurations into the
-// places of their pins.
+// The SVG picture of a drawing with the positions of its elements, and the pins' positions in
+// configurations.
 #pragma once
 
 #include <assur/mechanism/drawing.hpp>

@@ -1,5 +1,5 @@
-// Chains of rigid links that are drawn with pins and slides at given places, as scenes and as
-// bodies for Newton's method: the independent truth for larger groups.
+// Chains of rigid links drawn with pins and slides at given positions, as scenes and as bodies for
+// Newton's method: the independent truth for larger groups.
 #pragma once
 
 #include <Eigen/Core>
@@ -102,8 +102,8 @@ inline nlohmann::ordered_json drawn_chain(const Chain& chain, const Places& plac
   return scene;
 }
 
-/// The links of a chain as rigid bodies that turn about the origin and move from where they are
-/// drawn: coordinates x, y and angle of every link but the ground. It knows no groups and no loops.
+/// The links of a chain as rigid bodies that turn about the origin and move from their drawn poses:
+/// coordinates x, y and angle of every link but the ground. It uses no groups and no loops.
 class PinnedBodies {
  public:
   PinnedBodies(const Chain& chain, const Places& places, int links, int ground)
@@ -117,7 +117,7 @@ class PinnedBodies {
 
   [[nodiscard]] Eigen::Index size() const { return size_; }
 
-  /// Newton's method with steps of a turn of one radian at most; whether it came to rest.
+  /// Newton's method with rotations of at most one radian a step; returns whether it converged.
   [[nodiscard]] bool assemble(Eigen::VectorXd& q) const {
     constexpr int most_steps = 60;
     Eigen::MatrixXd jacobian(size_, size_);
@@ -141,9 +141,9 @@ class PinnedBodies {
     return gaps(q, nullptr).cwiseAbs().maxCoeff();
   }
 
-  /// The gaps at the joints, and where asked for their derivatives: x and y of a pin; of a slide
-  /// the distance of its place on the second link from the line on the first one, and twice the
-  /// sine of half the angle between the links.
+  /// The gaps at the joints, and on request their derivatives: x and y of a pin; for a slide the
+  /// distance of its point on the second link from the line on the first one, and twice the sine of
+  /// half the angle between the links.
   [[nodiscard]] Eigen::VectorXd gaps(const Eigen::VectorXd& q, Eigen::MatrixXd* jacobian) const {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(size_);
     if (jacobian != nullptr) {

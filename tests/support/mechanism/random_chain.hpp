@@ -1,4 +1,4 @@
-// Turns a seed into a mechanism made of known groups, one hung on the other, in any listing.
+// Random mechanisms made of known groups, each attached to earlier ones, in any listing.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Turns a seed into a scene whose drivers stand anywhere, put together from rigid bodies that lie
-// where they were thrown: the scene is assembled by construction.
+// Random scenes with drivers anywhere, built from rigid bodies in random positions, so that they
+// are assembled by construction.
 #pragma once
 
 #include <algorithm>
@@ -20,17 +20,17 @@
 
 namespace assur::test {
 
-/// Where random scenes lie: anywhere, or on whole numbers with angles of right and 3-4-5 triangles,
-/// where parts are equal and parallel and joints stand in singular positions.
+/// Positions of random scenes: anywhere, or on whole numbers with angles of right and 3-4-5
+/// triangles, which make parts equal and parallel and joints singular.
 enum class Places : unsigned char { anywhere, lattice };
 
-/// What ties several links together into one link of a group: drivers alone, or other groups too;
-/// or drivers alone, and the first group is a larger one than those that are generated.
+/// The connection of several links into one link of a group: by drivers alone, or also by other
+/// groups; or by drivers alone, with a first group larger than those of generated models.
 enum class Ties : unsigned char { drivers, groups, drivers_in_larger_groups };
 
-/// Driven links, groups, and driven links behind them. A link of a group may consist of several
-/// links that are tied together. Laws read joints that are placed before; parameters move, and with
-/// them lengths, directions and laws.
+/// Driven links, groups, and driven links after them. A link of a group may consist of several
+/// connected links. Laws read earlier joints; parameters move, and with them lengths, directions
+/// and laws.
 class RandomDrivenScene {
  public:
   using Json = nlohmann::ordered_json;
@@ -64,7 +64,7 @@ class RandomDrivenScene {
   [[nodiscard]] const Json& scene() const { return scene_; }
   /// The pose of every link, as it was thrown.
   [[nodiscard]] const std::map<std::string, BodyPose>& poses() const { return poses_; }
-  /// The parameters that have a formula of their own, in which no other one occurs.
+  /// The parameters whose formula contains no other parameter.
   [[nodiscard]] const std::vector<std::string>& free_parameters() const { return free_; }
 
   /// The same scene in another order; pins that no law reads have their links exchanged.
@@ -285,7 +285,7 @@ class RandomDrivenScene {
     conclude_stage(add_group(which[static_cast<std::size_t>(below(10))], nullptr));
   }
 
-  /// Adds a group that the body alone holds, so that its links become a part of the body.
+  /// Adds a group held by the body alone, so that its links become a part of the body.
   void add_group_to(Body& body) {
     const std::vector<std::string> added =
         add_group(chance(0.8) ? 0U : static_cast<std::size_t>(1 + below(2)), &body);
@@ -459,7 +459,8 @@ class RandomDrivenScene {
   Places places_;
   Ties ties_;
   bool has_larger_ = false;
-  const Body* base_ = nullptr;  ///< holds the group that is being added; null where placed links do
+  const Body* base_ =
+      nullptr;  ///< base of the group being added; null if placed links are its bases
   Json scene_;
   std::map<std::string, BodyPose> poses_;
   std::map<std::string, double> value_;

@@ -1,5 +1,4 @@
-// Turns a seed into a random mechanism of a crank and a tetrad, as a scene with a sweep and as
-// rigid bodies.
+// A random mechanism of a crank and a tetrad, as a scene with a sweep and as rigid bodies.
 #pragma once
 
 #include <assur/mechanism/scene_file.hpp>

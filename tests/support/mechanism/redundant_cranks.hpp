@@ -1,4 +1,4 @@
-// Turns the pivots of parallel cranks of one length into a scene with their couplers.
+// Scenes of parallel cranks of equal length with their couplers, from the pivots.
 #pragma once
 
 #include <assur/mechanism/sweep.hpp>
@@ -16,11 +16,11 @@ struct Place {
 /// Cranks that hold one coupler, then others that hold another; more than two over-constrain it.
 class RedundantCranks {
  public:
-  using Json = nlohmann::ordered_json;  // lists what it holds as it was added
+  using Json = nlohmann::ordered_json;  // keeps the order of insertion
 
   explicit RedundantCranks(double length) : length_(length) {}
 
-  /// Adds a crank; the coupler has its tip at the place that the ground has its pivot at.
+  /// Adds a crank; its tip has the same coordinates on the coupler as its pivot on the ground.
   RedundantCranks& add(const std::string& name, Place pivot) {
     scene_["links"]["ground"][name] = {pivot.x, pivot.y};
     scene_["links"][coupler_][name] = {pivot.x, pivot.y};

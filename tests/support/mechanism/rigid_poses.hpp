@@ -1,4 +1,4 @@
-// Turns configurations and families into the poses that rigid bodies have, and compares these.
+// Poses of rigid bodies in configurations and families, and their comparison.
 #pragma once
 
 #include <algorithm>
@@ -39,9 +39,9 @@ inline Real distance(const RigidScene& rigid, const RealVector& one, const RealV
   return worst;
 }
 
-/// The largest failure of a constraint as a part of the mechanism's size where it stands: its
-/// reach, or its largest coordinate where slides that are nearly parallel have carried it farther.
-/// A pose in doubles cannot close to less than the rounding of that.
+/// The largest constraint residual, relative to the mechanism's size: its reach, or its largest
+/// coordinate if nearly parallel slides carry it farther. A pose in doubles cannot close to less
+/// than the rounding of that.
 inline double closure_of(const RigidScene& rigid, const RealVector& q) {
   const Real size = std::max(rigid.reach(), q.cwiseAbs().maxCoeff());
   return static_cast<double>(rigid.values_of(q).cwiseAbs().maxCoeff() / size);
@@ -54,7 +54,7 @@ inline bool is_listed(const RigidScene& rigid, const RealVector& q, const Soluti
   });
 }
 
-/// Whether the links that a family holds still stand as they do in some poses.
+/// Whether the fixed links of a family have the given poses.
 inline bool is_of_a_family(const RigidScene& rigid, const RealVector& q, const Solution& solution,
                            Real within) {
   return std::ranges::any_of(solution.families, [&](const mechanism::Family& family) {

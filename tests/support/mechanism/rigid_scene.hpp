@@ -1,6 +1,5 @@
-// Turns a mechanism into rigid bodies with constraints, and these into poses, velocities and
-// accelerations. It knows nothing of Assur groups, loops or trees: the independent truth for
-// mechanisms.
+// Poses, velocities and accelerations of a mechanism as rigid bodies with constraints, without
+// Assur groups, loops or trees: the independent truth for mechanisms.
 #pragma once
 
 #include <Eigen/Dense>
@@ -27,7 +26,7 @@ using RealMatrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
 class RigidScene {
  public:
   using Jet = Taylor<Real>;  ///< a quantity on the move; the first and second rates are used
-  /// Whether rates that a driver gives stand in place of those of its law.
+  /// Whether rates given by a driver replace those of its law.
   enum class Laws : unsigned char { alone, with_given_rates };
 
   RigidScene(const mechanism::Mechanism& mechanism, const mechanism::Values& values)
@@ -64,7 +63,7 @@ class RigidScene {
   [[nodiscard]] Eigen::Index size() const { return 3 * bodies_; }
   /// Sum of the distances of all features from their links' origins.
   [[nodiscard]] Real reach() const { return reach_; }
-  /// Whether it is one of the mechanism's own links, and no block of a slot.
+  /// Whether it is one of the mechanism's own links, not a block of a slot.
   [[nodiscard]] bool has(mechanism::LinkIndex link) const { return link.place() < body_of_.size(); }
   /// The first coordinate of a link, or -1 for the ground.
   [[nodiscard]] Eigen::Index coordinate(mechanism::LinkIndex link) const {
@@ -87,8 +86,8 @@ class RigidScene {
     return result;
   }
 
-  /// Newton's method, its steps held below a turn of one radian and the mechanism's own size; true
-  /// when it has come to rest with every constraint at rounding.
+  /// Newton's method with steps below one radian and the mechanism's size; true if it converges
+  /// with every constraint at rounding.
   bool assemble(RealVector& q, int iterations = 60) const {
     for (int iteration = 0; iteration < iterations; ++iteration) {
       const RealVector f = values_of(q);
@@ -188,8 +187,8 @@ class RigidScene {
   };
 
   static Real at(const Jet& jet, Real t) { return jet.c0 + t * (jet.c1 + t * jet.c2); }
-  /// A function of time with its first two derivatives at t = 0, from nine of its values. These
-  /// are closer together, the faster that moves on which it depends.
+  /// A function of time with its first two derivatives at t = 0, from nine of its values. These are
+  /// the closer together, the faster its arguments move.
   template <typename Function>
   static Jet differentiated(const Function& f, Real speed = 1) {
     const Real h = 1 / (256 * speed);
@@ -238,7 +237,7 @@ class RigidScene {
     }
     return displacement(poses, joint);
   }
-  /// The coordinate by a driver's law. Where the law reads a driven joint, it reads that one's law.
+  /// The coordinate by a driver's law. If the law reads a driven joint, that joint's law is used.
   [[nodiscard]] Jet wanted(const std::vector<Pose>& poses, const mechanism::Driver& driver,
                            Laws laws) const {
     const auto read = [&](mechanism::JointIndex joint) {

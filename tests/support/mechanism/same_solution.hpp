@@ -10,7 +10,7 @@
 
 namespace assur::test {
 
-/// Bit by bit, so that also what is no number, and the sign of a zero, must be the same.
+/// Whether all bits are the same, NaN and the sign of zero included.
 inline bool same_bits(double one, double other) {
   return std::bit_cast<std::uint64_t>(one) == std::bit_cast<std::uint64_t>(other);
 }
@@ -94,7 +94,7 @@ inline void expect_same_solution(const Solution& one, const Solution& other) {
   }
 }
 
-/// All parameters, all numbers, and how the parameters vary.
+/// Expects equal parameters, numbers and variations of the parameters.
 inline void expect_same_values(const Values& one, const Values& other,
                                const mechanism::Mechanism& mechanism) {
   for (const mechanism::ParameterIndex parameter : mechanism.parameters().keys()) {

@@ -1,5 +1,4 @@
-// Turns bars and pins, named by their points, into a scene and into the same scene listed
-// otherwise.
+// Scenes of bars and pins named by their points, also in other listings.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +13,7 @@ namespace assur::test {
 /// Links are added with their points; points of one name on several links are a pin.
 // NOLINTNEXTLINE(bugprone-exception-escape): destroying JSON throws only where memory is short
 struct SceneMaker {
-  using Json = nlohmann::ordered_json;  // lists what it holds as it was added
+  using Json = nlohmann::ordered_json;  // keeps the order of insertion
 
   Json json;
 
@@ -85,8 +84,8 @@ struct SceneMaker {
   }
 };
 
-/// Ways of listing a scene: as it is, back to front with the links of undriven pins exchanged, and
-/// from the middle on.
+/// The number of listings of a scene: as it is, in reverse with the links of undriven pins
+/// exchanged, and from the middle on.
 inline constexpr int listings = 3;
 
 inline SceneMaker::Json listed(const SceneMaker::Json& object, int listing) {

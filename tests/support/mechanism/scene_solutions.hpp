@@ -1,4 +1,4 @@
-// Turns scenes as JSON, with parameters moved off their laws, into solutions and reports.
+// Solutions and reports of scenes in JSON, with numbers in place of parameters' formulas.
 #pragma once
 
 #include <array>

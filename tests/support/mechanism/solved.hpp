@@ -1,4 +1,4 @@
-// Turns a scene into its plan, its values and its solution, and states into coordinates.
+// Plan, values and solution of a scene, and coordinates of states.
 #pragma once
 
 #include <assur/mechanism/plan.hpp>
@@ -33,11 +33,12 @@ struct Solved {
   [[nodiscard]] mechanism::Report report() const { return {plan, values, solution, "", 0}; }
 };
 
-/// A number of a configuration and how it follows the parameters, in the order of the columns.
+/// A number of a configuration and its derivatives with respect to the parameters, in the order of
+/// the columns.
 struct Coordinate {
   double value;
   Eigen::VectorXd gradient;
-  Eigen::MatrixXd hessian;  ///< empty where it is not carried
+  Eigen::MatrixXd hessian;  ///< empty if not computed
 
   [[nodiscard]] bool has_hessian() const { return hessian.size() != 0; }
 };
@@ -48,7 +49,7 @@ Coordinate coordinate(double value, const mechanism::Derivatives<Coordinates>& f
           follows.has_second() ? follows.second[static_cast<std::size_t>(row)] : Eigen::MatrixXd()};
 }
 
-/// All that a configuration says of positions: x, y, theta of links, slides, x, y of outputs.
+/// All position coordinates of a configuration: x, y, theta of links, slides, x, y of outputs.
 inline std::vector<Coordinate> coordinates(const Configuration& configuration) {
   std::vector<Coordinate> result;
   for (const mechanism::Frame& link : configuration.links) {

@@ -112,7 +112,7 @@ inline SweepKept run_sweep(mechanism::Scene scene, int count) {
   return run_sweep(scene);
 }
 
-/// How a sweep with few steps differs from one with `factor` times as many.
+/// The differences of a sweep with few steps from one with `factor` times as many.
 struct SweepDifference {
   int joins = 0;       ///< neighbouring samples on one branch, in the sweep with few steps
   int jumps = 0;       ///< of these, on different branches in the other sweep

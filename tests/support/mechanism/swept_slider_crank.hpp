@@ -1,4 +1,4 @@
-// Turns a unit of length and a text for names into a slider-crank with a sweep.
+// A slider-crank with a sweep, in a given unit of length and with given names.
 #pragma once
 
 #include <assur/mechanism/mechanism.hpp>

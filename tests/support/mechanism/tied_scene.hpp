@@ -1,5 +1,5 @@
-// Turns a random group whose slides tie the angles of its links, on a lattice, into a scene, and
-// into whether it closes and how freely it moves, in exact arithmetic.
+// A random group on a lattice whose slides couple the angles of its links, as a scene, with its
+// closure and mobility in exact arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +25,8 @@ inline Fraction cross(const Vector& a, const Vector& b) { return a.x * b.y - a.y
 
 constexpr int ground = 0;
 
-/// Both features of a joint where the links stand at first; they need not meet there. The direction
-/// is that of a slide.
+/// Both features of a joint in the links' initial poses; they need not meet there. The direction is
+/// that of a slide.
 struct TiedJoint {
   std::string name;
   int first, second;
@@ -63,7 +63,7 @@ inline Group group_of(const std::string& kind) {
   return group;
 }
 
-/// What is known of a group without solving it in floating point.
+/// The exact answer for a group.
 struct Truth {
   bool closes = false;
   int mobility = 0;
@@ -125,7 +125,8 @@ class ExactSolution {
     return 2 * static_cast<std::size_t>(group_.links + 1);
   }
 
-  /// The amount by which the second link moves against the first along a direction.
+  /// Adds the equation for the displacement of the second link relative to the first along a
+  /// direction.
   void add_row(const TiedJoint& joint, const Vector& direction, const Vector& apart) {
     std::vector<Fraction> row(columns() + 1, Fraction(0));
     const auto add = [&](int link, const Fraction& sign) {
@@ -198,7 +199,7 @@ class ExactSolution {
     const Fraction square = dot(length, length);
     const Vector start = on(*pins[1], false) - on(*pins[0], false) +
                          moved(holder(*pins[1]), columns()) - moved(holder(*pins[0]), columns());
-    // The directions in which the pins move apart: none, one line, or the plane.
+    // The directions of relative motion of the pins: none, one line, or the plane.
     std::vector<Vector> ways;
     for (std::size_t column = 0; column < columns(); ++column) {
       const Vector way = moved(holder(*pins[1]), column) - moved(holder(*pins[0]), column);

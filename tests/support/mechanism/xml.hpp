@@ -1,4 +1,4 @@
-// Turns the text of an XML document into its elements, or into what is wrong with it.
+// Reads the elements of an XML document, or its first fault.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
-// Turns the six-bar of Zhauyt et al. at one crank angle into the sensitivities of its point M by
-// the published equations, mended or with the slips that the paper prints.
+// Sensitivities of point M of the six-bar of Zhauyt et al. at one crank angle by the published
+// equations, corrected or with the slips in the paper.
 //
 // Numbers in brackets are those of the paper's equations: docs/reports/zhauyt_2017.md.
 #pragma once
@@ -30,7 +30,7 @@ struct Posture {
   Eigen::Matrix<double, 5, 1> phi;  ///< of OA, AB, BE, FE, GD
   double em;
   double gamma;  ///< of EM, which turns with the ternary link
-  Json point;    ///< what the program reports of M
+  Json point;    ///< the program's report of M
 };
 
 inline std::vector<Posture> postures(double crank_degrees) {

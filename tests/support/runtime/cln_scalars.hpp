@@ -1,4 +1,4 @@
-// Lets CLN's rational and real numbers be scalars of Eigen's matrices, and so of generated code.
+// CLN's rational and real numbers as scalars of Eigen's matrices, and so of generated code.
 #pragma once
 
 #include <cln/rational.h>

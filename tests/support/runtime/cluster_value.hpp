@@ -1,4 +1,4 @@
-// Tells whether roots that the root finder leaves undecided really are beyond the given precision.
+// Whether roots that the root finder leaves undecided really are beyond the given precision.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Turns every rigid model into an instance of the search for all its configurations, which the
-// library assur::mechanism has compiled already, behind plain numbers.
+// The search for all configurations of every rigid model, on plain arrays of numbers, from the
+// instances compiled in assur::mechanism.
 #include <algorithm>
 #include <assur/mechanism/group_model.hpp>
 #include <assur/support/flat_variables.hpp>

@@ -1,4 +1,4 @@
-// Turns every rigid model into an instance of the exact count of its configurations.
+// Instances of the exact count of configurations for every rigid model.
 #include "runtime/compiled_models.hpp"
 #include "runtime/instances.hpp"
 #include "runtime/registry.hpp"

@@ -1,4 +1,4 @@
-// Turns what many tests ask of every rigid model into functions that are compiled once for all.
+// Functions that many tests call for every rigid model, compiled once for all.
 //
 // Each is a template whose instances are in the library `compiled_models`; a test that includes
 // this header instantiates nothing of the search for configurations itself.

@@ -1,4 +1,4 @@
-// Turns random numbers into groups in general position, and into groups on a lattice.
+// Random groups in general position and on a lattice.
 #pragma once
 
 #include <assur/directions.hpp>

@@ -1,4 +1,4 @@
-// Makes random inputs, in doubles and in CLN's rational numbers.
+// Random inputs, in doubles and in CLN's rational numbers.
 #pragma once
 
 #include <assur/model.hpp>

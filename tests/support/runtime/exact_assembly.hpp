@@ -1,4 +1,4 @@
-// Makes random assembled configurations in rational numbers: angles at will, then lengths.
+// Random assembled configurations in rational numbers: arbitrary angles, then the lengths for them.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Turns a list of the stability laboratory's families into the types of a suite, with names.
+// The families of the stability laboratory as the types of a suite, with names.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Turns a template over the rigid models into its instances, kept in a table of pointers.
+// Tables of function pointers to the instances of a template over the rigid models.
 #pragma once
 
 #include <tuple>

@@ -1,4 +1,4 @@
-// Turns the registry of generated models into the types of a parameterised test suite.
+// The registry of generated models as the types of a parameterised test suite.
 #pragma once
 
 #include <gtest/gtest.h>

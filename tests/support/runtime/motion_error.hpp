@@ -1,4 +1,4 @@
-// Measures the error of a motion against the terms that it is a sum of.
+// Error of a motion relative to the terms of its sums.
 #pragma once
 
 #include <assur/kinematics.hpp>

@@ -1,4 +1,4 @@
-// Makes groups at known distances from a singular configuration.
+// Groups at known distances from a singular configuration.
 #pragma once
 
 #include <Eigen/LU>
@@ -81,7 +81,8 @@ class NearSingularGroups {
     return group;
   }
 
-  /// Where on that way the determinant vanishes; almost 1 if no change of its sign is met.
+  /// The fraction of that path at which the determinant vanishes; almost 1 if its sign does not
+  /// change.
   double singular_between(const Group<double>& from, const Group<double>& to) {
     const auto orientation = [&](double part) {
       const Group<double> group = between(from, to, part);

@@ -1,4 +1,4 @@
-// Turns a class of numbers that owns its digits into a scalar of Eigen's matrices.
+// Eigen's traits for scalars that own their digits.
 #pragma once
 
 #include <Eigen/Core>

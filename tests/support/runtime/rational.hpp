@@ -1,4 +1,4 @@
-// Turns CLN's rational numbers into a scalar that costs little to compile.
+// A scalar of CLN's rational numbers that is cheap to compile.
 #pragma once
 
 #include <cln/float.h>
@@ -17,7 +17,7 @@ class Rational {
   Rational() = default;
   Rational(int value) noexcept : value_(value) {}  // NOLINT(google-explicit-constructor): a number
   explicit Rational(const cln::cl_RA& value) noexcept : value_(value) {}
-  /// The rational number that a double is: generated code has 0.5 for a half.
+  /// The exact value of a double: generated code writes a half as 0.5.
   explicit Rational(double value) noexcept : value_(cln::rational(cln::cl_F(value))) {}
   static Rational exactly(double value) noexcept { return Rational(value); }
 

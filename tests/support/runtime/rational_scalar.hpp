@@ -1,4 +1,4 @@
-// Turns rational numbers into a scalar of Eigen's matrices, and so of generated code.
+// Rational numbers as a scalar of Eigen's matrices, and so of generated code.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
-// Turns a trigonometric polynomial into its real roots by slow and common methods, for comparison:
-// none of them knows whether it found them all.
+// Real roots of a trigonometric polynomial by slow and common methods, for comparison: none of them
+// certifies that it has found all.
 #pragma once
 
 #include <Eigen/Dense>

@@ -1,4 +1,4 @@
-// Turns the registries of generated models into one list of types.
+// One list of the types of all generated models.
 #pragma once
 
 #include <assur/dyad/models.hpp>

@@ -1,4 +1,4 @@
-// Counts real roots exactly: Sturm's theorem over CLN's rational numbers.
+// Exact counts of real roots: Sturm's theorem over CLN's rational numbers.
 #pragma once
 
 #include <algorithm>
@@ -124,8 +124,8 @@ RationalPolynomial exact_final_polynomial(const typename Model::template Dimensi
   }
 }
 
-/// Distinct real roots of that polynomial; an angle of pi is one where the leading coefficient
-/// vanishes.
+/// Distinct real roots of that polynomial; if the leading coefficient vanishes, the angle pi counts
+/// as one.
 template <typename Model>
 int exact_assembly_count(const typename Model::template Dimensions<double>& d,
                          const typename Model::template Inputs<double>& u) {

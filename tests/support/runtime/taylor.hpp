@@ -1,4 +1,4 @@
-// Turns a function templated on its scalar into its derivatives up to the third, exactly.
+// Exact derivatives up to the third of functions templated on their scalar.
 #pragma once
 
 #include <assur/variables.hpp>

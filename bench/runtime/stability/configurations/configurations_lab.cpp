@@ -1,13 +1,13 @@
-// Turns families of tetrads into the configurations that each method loses and invents:
-// stability_configurations.json and the columns of the chart, into a directory; the table of
-// docs/reports/stability.md, on standard output.
+// Counts the configurations that each method loses and invents on families of tetrads. Writes
+// stability_configurations.json and the columns of the chart into a directory, and the table of
+// docs/reports/stability.md to standard output.
 #include "output.hpp"
 
 namespace assur::stability {
 namespace {
 
-/// The library, and the peers of the speed chart, which complete and polish each root that they
-/// find of the same polynomial. Newton's iteration from many starts does not use it.
+/// The library, and the root finders of the speed chart, which complete and polish each root of the
+/// same polynomial. Newton's iteration from many starts does not use it.
 template <typename Model>
 [[nodiscard]] std::vector<ListingMethod<Model>> listing_methods() {
   using Sample = speed::PositionSample<Model>;

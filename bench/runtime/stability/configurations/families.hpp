@@ -1,4 +1,4 @@
-// Turns a distance into tetrads whose configurations, not their derivatives, come near a failure.
+// Families of tetrads whose configurations, though not their derivatives, come near a failure.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@ namespace assur::stability {
 
 using tetrad::Model12;
 
-/// A group, and those of its configurations that are known because it was made from them.
+/// A group, and the configurations that are known by its construction.
 template <typename Model>
 struct KnownGroup {
   typename Model::template Dimensions<Real> d;
@@ -20,7 +20,7 @@ struct KnownGroup {
   std::vector<typename Model::template Configuration<Real>> known;
 };
 
-/// The group that exact arithmetic solves: the member itself, unless the family says otherwise.
+/// The group that exact arithmetic solves: the member itself, unless the family replaces it.
 template <typename Model>
 struct AskedAsItIs {
   template <typename Scalar>
@@ -91,7 +91,7 @@ struct SharedUnknown {
     return group;
   }
 
-  /// The same group with its ternary links exchanged: there theta_EDF is the final unknown, which
+  /// The same group with its ternary links exchanged: then theta_EDF is the final unknown, which
   /// the two configurations do not share.
   struct Asked : AskedAsItIs<Model> {
     template <typename Scalar>
@@ -149,12 +149,12 @@ struct SharedUnknown {
       const int numerator = 2 * b * (a * q + p * b);
       const double t = static_cast<double>(numerator) / denominator;
       const double GF = 1 + t * a / b;
-      // Where B and E coincide the group turns about them.
+      // Where B and E coincide, the group can rotate about them.
       if (std::abs(EC) == BC || std::abs(static_cast<double>(p) / q) > 0.9 || std::abs(t) < 0.3 ||
           std::abs(t) > 3 || std::abs(GF) < 0.2) {
         continue;
       }
-      // All lengths times this are integers; they are brought near one by a power of two.
+      // All lengths times this are integers; a power of two brings them near one.
       const int whole_unit = denominator * of_turn[2];
       const Real unit =
           Real(whole_unit) /

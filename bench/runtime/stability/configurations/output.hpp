@@ -1,4 +1,4 @@
-// Turns the rows of configurations into JSON, into gnuplot's columns and into a Markdown table.
+// Writes the rows of configurations as JSON, gnuplot columns and a Markdown table.
 #pragma once
 
 #include <algorithm>
@@ -39,7 +39,7 @@ inline void write_listing_json(const std::vector<ListingRow>& rows, std::ostream
   return methods;
 }
 
-/// A file per family, a block per method: the place of the distance from the left, lost, invented.
+/// A file per family, a block per method: position of the distance on the axis, lost, invented.
 inline void write_listing_columns(const std::vector<ListingRow>& rows,
                                   const std::filesystem::path& directory) {
   const std::vector<double> distances = configuration_distances();

@@ -1,4 +1,4 @@
-// Turns the families into configurations lost and invented, a row for a method and a distance.
+// Configurations lost and invented by each method, family and distance.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace assur::stability {
 
-/// Whether the library says that its list may not be complete. The peers say nothing of the kind.
+/// Whether the library reports that its list may be incomplete. The peers have no such report.
 template <typename Model>
 [[nodiscard]] bool declares(const speed::PositionSample<Model>& sample) {
   return assemblies<Model>(sample.d, sample.u).status != AssemblyStatus::ok;
@@ -29,13 +29,13 @@ struct ListingRow {
   std::string kind;
   std::string method;
   double distance = 0;
-  int configurations = 0;  ///< that have not run to infinity
-  int far = 0;             ///< those that have; they are not counted as lost
+  int configurations = 0;  ///< without those that have run to infinity
+  int far = 0;             ///< configurations that have run to infinity; not counted as lost
   int lost = 0;
-  int invented = 0;  ///< listed twice, or no configuration at all
+  int invented = 0;  ///< listed twice, or not a configuration
   int far_listed = 0;
-  int declared = 0;  ///< groups whose status says that the list may not be complete
-  double error = 0;  ///< the largest of those listed rightly that have not run to infinity
+  int declared = 0;  ///< groups whose status reports a list that may be incomplete
+  double error = 0;  ///< the largest among configurations listed correctly and not at infinity
 };
 
 template <typename Configuration>
@@ -84,8 +84,8 @@ void tally(const speed::Found<Model>& found, const ConfigurationMember<Model>& m
   row.invented += static_cast<int>(std::count(taken.begin(), taken.end(), false));
 }
 
-/// Appends the rows of a family, from a number of members at each distance. The first of the
-/// methods is the library. Returns false if the truth of some member is not vouched for.
+/// Appends the rows of a family, with a number of members at each distance. The first method is the
+/// library. Returns false if the reference of some member is not certified.
 template <typename Family>
 [[nodiscard]] bool append_listing_rows(
     const std::vector<ListingMethod<typename Family::Model>>& list, std::vector<ListingRow>& rows,

@@ -1,4 +1,4 @@
-// Turns a group into all its configurations in 50 digits, counted by Sturm's theorem.
+// All configurations of a group in 50 digits, counted by Sturm's theorem.
 #pragma once
 
 #include <Eigen/LU>
@@ -15,7 +15,7 @@
 
 namespace assur::stability {
 
-/// A polynomial by ascending power.
+/// Coefficients by ascending power.
 using RealPolynomial = std::vector<Real>;
 
 [[nodiscard]] inline Real in_digits(const test::Rational& value) {
@@ -35,8 +35,8 @@ using RealPolynomial = std::vector<Real>;
   return value;
 }
 
-/// Real roots at which the sign changes, ascending: between two neighbouring roots of the
-/// derivative there is one at most, found by bisection.
+/// Real roots with a change of sign, ascending: between two neighbouring roots of the derivative
+/// there is at most one, found by bisection.
 [[nodiscard]] inline std::vector<Real> real_roots(RealPolynomial p) {
   while (!p.empty() && p.back() == Real(0)) {
     p.pop_back();
@@ -82,8 +82,8 @@ template <typename Variables>
   return longest;
 }
 
-/// A length this many times the longest given length counts as having run to infinity: a method may
-/// list such a configuration or leave it out.
+/// A length this many times the longest given length counts as infinite: a method may list such a
+/// configuration or leave it out.
 inline constexpr double far_away = 0x1p22;
 
 /// A member of a family: the group as the methods are given it, and all its configurations.
@@ -92,18 +92,18 @@ struct ConfigurationMember {
   speed::PositionSample<Model> given;
   speed::PositionTruth<Model> truth;  ///< tolerances: 1%, or a third of the way to the next
   std::vector<bool> is_far;           ///< of each configuration, whether it has run to infinity
-  /// Whether the list is as long as Sturm's theorem says and holds what the group was made of.
+  /// Whether the list has the length that Sturm's theorem gives and holds the known configurations.
   bool is_vouched = false;
-  double largest_condition = 0;  ///< of J, at the configurations that have not run away
+  double largest_condition = 0;  ///< of J, over the configurations that are not at infinity
 
   [[nodiscard]] int far_count() const {
     return static_cast<int>(std::count(is_far.begin(), is_far.end(), true));
   }
 };
 
-/// Newton's iteration on the loop closure, from where it holds to many digits already. False if it
-/// does not hold to 40 digits then. `assemble` cannot be used: it asks for more digits of an
-/// unknown than are certain where a configuration that closes has run far away.
+/// Newton's iteration on the loop closure from a point that satisfies it to many digits. False if
+/// the result does not satisfy it to 40 digits. `assemble` cannot be used: it requires more digits
+/// of an unknown than are certain where a configuration lies very far away.
 template <typename Model>
 [[nodiscard]] bool closes(Geometry<Model, Real>& g) {
   Vector<Real, Model::equation_count> f;
@@ -120,7 +120,7 @@ template <typename Model>
 }
 
 /// Completes a root of the final polynomial and closes the loops in 50 digits. False if the
-/// completion runs to infinity.
+/// configuration lies at infinity.
 template <typename Model>
 [[nodiscard]] bool complete_root(const Real& t, Geometry<Model, Real>& g) {
   const Real norm = Real(1) + t * t;
@@ -203,8 +203,8 @@ template <typename Family>
   return member;
 }
 
-/// Members with the same number come from the same random numbers at all distances. Configurations
-/// that have not run away are regular, so that what is lost is lost by the method.
+/// Members with the same number use the same random numbers at all distances. Configurations that
+/// stay finite are regular, so a lost one is lost by the method.
 template <typename Family>
 [[nodiscard]] ConfigurationMember<typename Family::Model> make_configuration_member(
     int number, double distance) {

@@ -1,4 +1,4 @@
-// Turns the outcomes of solving sets of parameter values into columns and words of a table.
+// Outcomes of solving sets of parameter values, and the columns of a campaign's table.
 #pragma once
 
 #include <array>

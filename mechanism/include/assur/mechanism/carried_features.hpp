@@ -1,4 +1,4 @@
-// Turns features of links into the frames of the links that carry them, in any scalar.
+// Features of links in the frames of the links that carry them, in any scalar.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace assur::mechanism {
 
-/// The direction of a line along (dx, dy), which are not both zero. Scaled first, so that no length
-/// overflows or underflows when squared.
+/// The direction of a line along (dx, dy), which are not both zero. The vector is scaled first, so
+/// that squaring neither overflows nor underflows.
 template <typename Scalar>
 [[nodiscard]] Direction<Scalar> unit_direction(const Scalar& dx, const Scalar& dy) {
   const double scale =

@@ -1,4 +1,4 @@
-// Turns a drawing (points in one frame, and the links that list them) into a mechanism.
+// A mechanism described by a drawing: points in one frame, and the links that list them.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ struct DrawnJoint {
   std::string name;
   JointType type = JointType::revolute;
   std::vector<std::string> links;
-  std::string at;  ///< the point of a pin; where it is empty, the point with the joint's name
+  std::string at;  ///< the point of a pin; if empty, the point with the joint's name
   /// The line of a slide or slot: from one point to another, or in a direction through `at`.
   std::vector<std::string> along;
   std::optional<std::array<Mechanism::Given, 2>> direction;
@@ -57,16 +57,16 @@ struct DrawnParts {
   Table<DrawnLinkIndex, DrawnLink> links;
   std::map<std::tuple<DrawnLinkIndex, DrawnPointIndex, DrawnPointIndex>, ParameterIndex> lengths;
 
-  /// The parameter that is the distance of two points in a link, if one is.
+  /// The parameter that is the distance of two points in a link, if there is one.
   [[nodiscard]] std::optional<ParameterIndex> length(DrawnLinkIndex link, DrawnPointIndex one,
                                                      DrawnPointIndex other) const;
   /// Whether a link lists a point.
   [[nodiscard]] bool lists(DrawnLinkIndex link, DrawnPointIndex point) const;
 };
 
-/// Adds a drawing to a mechanism that has its parameters, and the links with frames of their own,
-/// if there are any. Points, links, joints and lengths come first, in any order; `place` turns
-/// them into features, joints and values of the mechanism; drivers and outputs come last.
+/// Adds a drawing to a mechanism that already has its parameters and any links with frames of their
+/// own. Points, links, joints and lengths come first, in any order; `place` converts them to
+/// features, joints and values of the mechanism; drivers and outputs come last.
 ///
 ///     Mechanism four_bar("a four-bar");
 ///     DrawnMechanism drawn(four_bar);
@@ -83,9 +83,9 @@ struct DrawnParts {
 ///     const Plan plan(four_bar, request);
 ///
 /// Every point that two links or more list is a revolute joint, unless other joints join them
-/// there. What numbers decide, the side on which a point is drawn and whether points coincide, is
-/// decided by the values that the parameters have in `place`. All functions throw MechanismError
-/// for parts that cannot be used, and name the part as a scene file spells it.
+/// there. The side on which a point is drawn, and whether points coincide, are decided at the
+/// values of the parameters in `place`. All functions throw MechanismError for unusable parts, and
+/// name the part as a scene file spells it.
 class DrawnMechanism {
  public:
   using Given = Mechanism::Given;
@@ -99,31 +99,31 @@ class DrawnMechanism {
   /// A link that lists points, each once. All points must have been added.
   void add_link(const std::string& name, const std::vector<std::string>& points);
   void add_joint(DrawnJoint joint);
-  /// A declared parameter is the distance of each of these pairs of points, in every link that
-  /// lists both. It gets the distance as drawn for its value if it has none.
+  /// Makes a declared parameter the distance of each of these pairs of points, in every link that
+  /// lists both. If it has no value, it gets the distance as drawn.
   void set_length(const std::string& parameter, const std::vector<std::array<std::string, 2>>& of);
-  /// A declared parameter is the coordinate of a joint as drawn.
+  /// Makes a declared parameter the coordinate of a joint as drawn.
   void set_coordinate(const std::string& parameter, const std::string& joint);
   /// Whether a link lists points.
   [[nodiscard]] bool is_drawn() const { return !parts_.links.empty(); }
 
   [[nodiscard]] const Table<DrawnPointIndex, DrawnPoint>& points() const { return parts_.points; }
 
-  /// Adds to the mechanism all that the drawing says. A ground that lists nothing may be left out
-  /// where all links list points.
+  /// Adds the drawing to the mechanism. If all links list points, a ground that lists none may be
+  /// omitted.
   void place();
 
-  /// Adds a driver; without a position the joint stands as drawn.
+  /// Adds a driver; without a position the joint keeps its coordinate as drawn.
   DriverIndex add_driver(const std::string& joint, const std::optional<Given>& position,
                          const std::optional<Given>& velocity = std::nullopt,
                          const std::optional<Given>& acceleration = std::nullopt);
-  /// Adds an output at `link.feature`, or at a drawn point of the moving link, the first by name,
-  /// that lists it.
+  /// Adds an output at `link.feature`, or at a drawn point; its link is then the first moving one,
+  /// by name, that lists the point.
   OutputIndex add_output(const std::string& name, const std::string& point);
-  /// Makes a drawn point a feature of a link, where the drawn point is, unless it is one already.
-  /// Names of other features and links are left to others.
+  /// Makes a drawn point a feature of a link at the drawn position, unless it is one already. Other
+  /// names of features and links have no effect.
   void make_feature(const std::string& name, const std::string& part);
-  /// Makes the drawn pose the reference of a request, if a link but the ground lists points.
+  /// Makes the drawn pose the reference of a request, if any link except the ground lists points.
   void refer(Request& request) const;
 
  private:
@@ -147,7 +147,8 @@ class DrawnMechanism {
   void add_features(const std::vector<drawn::ResolvedJoint>& joints);
   void add_joints(const std::vector<drawn::ResolvedJoint>& joints,
                   const std::vector<drawn::ImpliedPin>& pins);
-  /// The coordinate of a joint as drawn. Throws MechanismError where the drawing tells none.
+  /// The coordinate of a joint as drawn. Throws MechanismError if the drawing does not determine
+  /// one.
   [[nodiscard]] Formula coordinate_of(const std::string& joint, const std::string& part) const;
 
   Mechanism& mechanism_;
@@ -157,10 +158,11 @@ class DrawnMechanism {
   std::vector<DrawnJoint> joints_;
   std::vector<Length> lengths_;
   std::vector<Coordinate> coordinates_of_parameters_;
-  /// The coordinates of joints as drawn; nothing for a joint of which the drawing does not tell
-  /// one.
+  /// The coordinates of joints as drawn; nothing for a joint whose coordinate the drawing does not
+  /// determine.
   std::map<std::string, std::optional<Formula>> coordinates_;
-  /// The two moving links of each joint that only a point implies, and that has no sense.
+  /// The two moving links of each joint that only a point implies, and whose coordinate has no
+  /// sense.
   std::map<std::string, std::array<std::string, 2>> unmeasured_;
   std::shared_ptr<const drawn::LinkPlaces> places_;  ///< null before `place`
   std::optional<DrawnGap> gap_;

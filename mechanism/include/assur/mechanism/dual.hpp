@@ -1,4 +1,4 @@
-// Turns arithmetic on values into arithmetic on values, gradients and, where asked, Hessians.
+// Numbers with gradients and optional Hessians, for automatic differentiation.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,13 +10,13 @@
 
 namespace assur::mechanism {
 
-/// A value with its gradient with respect to the mechanism's parameters and, where it is carried,
-/// its Hessian. An Eigen::AutoDiffScalar of AutoDiffScalars would carry the Hessian too, but as a
-/// vector of vectors with each allocated on its own, and the gradient twice.
+/// A value with its gradient with respect to the mechanism's parameters and, if carried, its
+/// Hessian. An Eigen::AutoDiffScalar of AutoDiffScalars would carry the Hessian too, but as a
+/// vector of separately allocated vectors, and the gradient twice.
 ///
 /// A number made from a bare double is a constant: it has no gradient, and counts as having zero
 /// derivatives of every order. A result carries a Hessian if all operands that are not constants
-/// do.
+/// carry one.
 class Dual {
  public:
   Dual() = default;
@@ -27,7 +27,7 @@ class Dual {
   [[nodiscard]] double value() const { return value_; }
   /// Empty for a constant.
   [[nodiscard]] const Eigen::VectorXd& derivatives() const { return derivatives_; }
-  /// Symmetric; empty where it is not carried, and for a constant.
+  /// Symmetric; empty if it is not carried, and for a constant.
   [[nodiscard]] const Eigen::MatrixXd& hessian() const { return hessian_; }
   [[nodiscard]] bool has_hessian() const { return hessian_.size() != 0; }
 
@@ -69,8 +69,8 @@ class Dual {
     return result;
   }
 
-  /// The same number where some derivatives of the function that gave it do not exist: those of it
-  /// are unknown, NaN, that follow an argument.
+  /// The same number with unknown derivatives (NaN) with respect to all parameters on which an
+  /// argument depends, for a function without a derivative by that argument.
   [[nodiscard]] Dual without_what_follows(const Dual& argument) && {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (Eigen::Index i = 0; i < argument.derivatives_.size(); ++i) {
@@ -97,7 +97,7 @@ class Dual {
   Eigen::MatrixXd hessian_;
 };
 
-/// Whether the number stands for other values, too, as one with variable parameters does.
+/// Whether the number also represents other values, as a formula with variable parameters does.
 [[nodiscard]] inline bool may_change(const Dual&) { return false; }
 
 inline Dual operator-(const Dual& a) { return Dual::chained(-a.value(), a, -1, 0); }
@@ -160,7 +160,7 @@ inline Dual atan2(const Dual& y, const Dual& x) {
       std::atan2(y.value(), x.value()), y, x,
       {c / radius, -s / radius, -curvature, (s - c) * (s + c) / radius / radius, curvature});
 }
-/// At zero, with the derivatives of the side where the argument is positive.
+/// The derivatives at zero are those of the side of positive arguments.
 inline Dual abs(const Dual& a) { return a.value() < 0 ? -a : a; }
 /// Of two equal numbers, the first.
 inline Dual min(const Dual& a, const Dual& b) { return b.value() < a.value() ? b : a; }
@@ -171,8 +171,8 @@ inline Dual pow(const Dual& a, double exponent) {
                        support::power_derivative<1, 0>(a.value(), exponent),
                        support::power_derivative<2, 0>(a.value(), exponent));
 }
-/// A power whose exponent may follow parameters, too. What follows the exponent is unknown, NaN,
-/// where there is no derivative by it.
+/// A power whose exponent may depend on parameters, too. Derivatives through the exponent are
+/// unknown, NaN, where there is no derivative by it.
 inline Dual pow(const Dual& a, const Dual& b) {
   if (b.derivatives().size() == 0) {
     return pow(a, b.value());

@@ -1,4 +1,4 @@
-// Turns a program that would mix two layouts of Eigen's matrices into one that does not link.
+// Link-time check that a program and the library agree on the alignment of Eigen's matrices.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// Turns a part of a mechanism that cannot be used into one line that names it.
+// Errors about the parts of a mechanism, each one line that names the part.
 #pragma once
 
 #include <assur/text/error.hpp>
@@ -13,8 +13,8 @@ namespace assur::mechanism {
 
 using text::InputError;
 
-/// A mechanism, or a value of one of its numbers, cannot be used. `what()` is one line: the part,
-/// as a scene file would spell it (`joints.B.between[1]`), what is wrong, and the remedy.
+/// An unusable part of a mechanism, or an unusable value of one of its numbers. `what()` is one
+/// line: the part, as a scene file spells it (`joints.B.between[1]`), the fault, and the remedy.
 class MechanismError : public InputError {
  public:
   MechanismError(const std::string& part, const std::string& what)
@@ -30,7 +30,7 @@ class MechanismError : public InputError {
                             "; the highest number is " + std::to_string(highest);
 }
 
-/// A configuration or a branch was asked for by a number above the highest one.
+/// The requested number of a configuration or branch exceeds the highest one.
 class NoSuchConfiguration : public MechanismError {
  public:
   NoSuchConfiguration(std::size_t number, std::size_t highest,
@@ -38,7 +38,7 @@ class NoSuchConfiguration : public MechanismError {
       : MechanismError("", no_configuration(number, highest, what)) {}
 };
 
-/// There are more constraints than the links have freedoms.
+/// There are more constraints than the links have degrees of freedom.
 class OverConstrained : public MechanismError {
  public:
   OverConstrained(const std::string& part, const std::string& what, int by,
@@ -46,9 +46,9 @@ class OverConstrained : public MechanismError {
       : MechanismError(part, what), surplus(by), lack(free_elsewhere), joints(std::move(at)) {}
 
   int surplus;                      ///< the number of excess constraints
-  int lack;                         ///< freedoms that other links keep
-  std::vector<std::string> joints;  ///< the joints among which the excess is
-  /// The least gap by which these constraints fail to hold, where the mechanism without them can be
+  int lack;                         ///< degrees of freedom that other links keep
+  std::vector<std::string> joints;  ///< the joints among which the excess occurs
+  /// The least gap by which these constraints fail to hold, if the mechanism without them can be
   /// assembled.
   double gap = std::numeric_limits<double>::infinity();
 };

@@ -1,4 +1,4 @@
-// Turns a configuration into those of its parts that drivers do not place.
+// Parts of a configuration that drivers do not place.
 #pragma once
 
 #include <algorithm>
@@ -6,8 +6,8 @@
 
 namespace assur::mechanism {
 
-/// Calls `use` with every link, output and slide whose motion follows from loop closures. What
-/// drivers place is known in singular configurations too.
+/// Calls `use` with every link, output and slide whose motion follows from loop closures. The
+/// motion of other parts, placed by drivers, is known in singular configurations too.
 template <typename Use>
 void for_each_followed(const Mechanism& mechanism, const Structure& structure,
                        Configuration& configuration, const Use& use) {

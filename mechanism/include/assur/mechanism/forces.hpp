@@ -1,5 +1,5 @@
-// Turns a configuration with its rates into the forces that act in it, the coefficients of the
-// equations of motion, and the kinematic coefficients.
+// Forces in a configuration with known rates, coefficients of the equations of motion, and
+// kinematic coefficients.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,15 +17,15 @@ struct Wrench {
   double moment = 0;
 };
 
-/// What the bearing of a joint transmits, without the effort of a driver, a spring or a damper at
-/// the joint. NaN where the equations do not determine it.
+/// The force that the bearing of a joint transmits, without the effort of a driver, a spring or a
+/// damper at the joint. NaN where the equations do not determine it.
 struct JointForce {
   std::string joint;
   /// The links of the joint, in the order of `between`, and the force that acts on each of them.
   /// Their sum is zero.
   std::vector<std::pair<LinkIndex, Eigen::Vector2d>> on;
   bool has_moment = false;  ///< of a prismatic joint
-  /// The couple on the second link, with the force at the `through` of this link's line.
+  /// The couple on the second link, with the force acting at the `through` of this link's line.
   double moment = 0;
 
   [[nodiscard]] bool is_determined() const;
@@ -36,9 +36,9 @@ struct Forces {
   /// not determined.
   Table<DriverIndex, double> efforts;
   std::vector<JointForce> joints;
-  /// The resultant of all that acts on the ground, about its origin.
+  /// The resultant of all forces on the ground, about its origin.
   Wrench ground;
-  std::string reason;  ///< why something is not determined; empty where all is
+  std::string reason;  ///< why an entry is not determined; empty if all are
 };
 
 /// M phi'' + bias = load + effort for the coordinates phi of the free drivers: those whose laws
@@ -47,7 +47,7 @@ struct Dynamics {
   std::vector<DriverIndex> drivers;
   Eigen::MatrixXd mass_matrix;
   Eigen::VectorXd bias, load;
-  std::string reason;  ///< why something is not determined; empty where all is
+  std::string reason;  ///< why an entry is not determined; empty if all are
 };
 
 /// The derivatives of the coordinate of a joint of two links.
@@ -56,26 +56,27 @@ struct JointCoefficients {
   Derivatives<1> coordinate;
 };
 
-/// First and second derivatives by the coordinates of the free drivers, in their order, where the
-/// laws of the other drivers follow and the parameters are held. Those that are not determined are
-/// NaN.
+/// First and second derivatives with respect to the coordinates of the free drivers, in their
+/// order; the other drivers follow their laws, and the parameters are constant. Entries that are
+/// not determined are NaN.
 struct KinematicCoefficients {
   std::vector<DriverIndex> drivers;
   Table<LinkIndex, Derivatives<3>> links;  ///< of x, y and theta
   Table<OutputIndex, Derivatives<2>> outputs;
-  std::vector<JointCoefficients> joints;  ///< those that are left out as redundant come last
-  std::string reason;                     ///< why something is not determined; empty where all is
+  std::vector<JointCoefficients> joints;  ///< joints left out as redundant come last
+  std::string reason;                     ///< why an entry is not determined; empty if all are
 };
 
-/// The drivers that were described: all but those that hold idle links at rest.
+/// The described drivers: all except those that hold idle links at rest.
 [[nodiscard]] std::vector<DriverIndex> described_drivers(const Mechanism& mechanism);
-/// Those of them whose laws read no joint.
+/// The described drivers whose laws read no joint.
 [[nodiscard]] std::vector<DriverIndex> free_drivers(const Mechanism& mechanism);
 
-/// Each of the following throws MechanismError for a load that has no value.
+/// The forces in a configuration. This function and the following ones throw MechanismError for a
+/// load that has no value.
 [[nodiscard]] Forces forces_of(const Values& values, const Configuration& configuration);
-/// The derivatives of all numbers of the forces by each parameter of the mechanism, the drivers
-/// held at their laws; NaN where they are not known.
+/// The derivatives of all numbers of the forces with respect to each parameter of the mechanism,
+/// with the drivers following their laws; NaN where they are unknown.
 [[nodiscard]] std::vector<Forces> force_sensitivities(const Values& values,
                                                       const Configuration& configuration);
 [[nodiscard]] Dynamics dynamics_of(const Values& values, const Configuration& configuration);

@@ -1,4 +1,4 @@
-// Turns an expression in named parameters into operations on parameters by index.
+// Formulas: expressions in parameters and joint coordinates, with names resolved to indices.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using JointIndex = Index<struct Joint>;
 /// coordinates of other joints: operations in postfix order.
 class Formula {
  public:
-  /// What the names in an expression stand for; each function may throw.
+  /// The meaning of the names in an expression; each function may throw.
   struct Names {
     std::function<ParameterIndex(const std::string&)> parameter;
     std::function<JointIndex(const std::string&)> joint;  ///< of `joint(K)`
@@ -38,31 +38,31 @@ class Formula {
   [[nodiscard]] static Formula difference(const Formula& one, const Formula& other);
   /// The formula of a parameter alone.
   [[nodiscard]] static Formula of(ParameterIndex parameter);
-  /// The formula of an operation on others. Constants are computed at once, and a term 0 or a
-  /// factor 0 or 1 leaves no operation behind.
+  /// The formula of an operation on others. Operations on constants are evaluated at once, and a
+  /// term 0 or a factor 0 or 1 adds no operation.
   [[nodiscard]] static Formula of(text::Operation operation, const Formula& argument);
   [[nodiscard]] static Formula of(text::Operation operation, const Formula& first,
                                   const Formula& second);
   /// The value of a formula that names neither parameters nor joints; nothing for others.
   [[nodiscard]] std::optional<double> constant() const;
 
-  /// Whether formulas are written alike, so that they have the same value whatever parameters are.
+  /// Whether the formulas consist of the same operations, so that they agree for all parameters.
   [[nodiscard]] bool operator==(const Formula&) const = default;
 
   /// The parameters that occur in it, each once.
   [[nodiscard]] std::vector<ParameterIndex> parameters() const;
   /// The joints that occur in it, each once.
   [[nodiscard]] std::vector<JointIndex> joints() const;
-  /// Formulas of parameters whose signs decide between the sides of a corner: the argument of
-  /// each abs, and the difference of the arguments of each min and max. Where one of them is zero,
-  /// derivatives are those of one side. Those that read joints are left out.
+  /// Formulas of parameters whose signs decide between the sides of a corner: the argument of each
+  /// abs, and the difference of the arguments of each min and max. Where one of them is zero,
+  /// derivatives are those of one side. Arguments that read joints are omitted.
   [[nodiscard]] std::vector<Formula> deciders() const;
   [[nodiscard]] bool has_corners() const;  ///< whether abs, min or max occurs in it
-  /// The same formula in a mechanism in which the joints have other indices.
+  /// The same formula in a mechanism with other indices of joints.
   [[nodiscard]] Formula renumbered(const Table<JointIndex, JointIndex>& joint_of) const;
 
   /// The value, with `value_of(parameter)` for parameters and `coordinate_of(joint)` for joints. A
-  /// `Scalar` is made from a double, and its operators and functions are found by
+  /// `Scalar` is constructible from a double, and its operators and functions are found by
   /// argument-dependent look-up.
   template <typename Scalar, typename ValueOf, typename CoordinateOf>
   [[nodiscard]] Scalar evaluate(const ValueOf& value_of, const CoordinateOf& coordinate_of) const {
@@ -102,7 +102,7 @@ class Formula {
 
   void append(const text::Expression& expression, const Names& names);
 
-  /// The operation on two arguments; of two equal ones, min and max are the first.
+  /// The operation on two arguments; min and max of two equal ones are the first.
   template <typename Scalar>
   static Scalar chosen_or_applied(text::Operation operation, const Scalar& first,
                                   const Scalar& second) {

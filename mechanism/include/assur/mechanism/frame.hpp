@@ -1,4 +1,4 @@
-// Turns nested frames into the frames and points that they carry.
+// Frames and points in nested frames, with rates in time and derivatives by the parameters.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +13,8 @@ namespace assur::mechanism {
 template <int Coordinates>
 using ParameterRows = Eigen::Matrix<double, Coordinates, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// How some coordinates follow the parameters: first derivatives and, where they are carried, a
-/// symmetric matrix of second derivatives for each coordinate.
+/// The derivatives of some coordinates with respect to the parameters: first ones and, if carried,
+/// a symmetric matrix of second derivatives for each coordinate.
 template <int Coordinates>
 struct Derivatives {
   ParameterRows<Coordinates> first;
@@ -25,8 +25,8 @@ struct Derivatives {
   void set_zero(Eigen::Index parameters, bool with_second);
 };
 
-/// A frame in another: its pose (x, y, theta), [vx, vy, omega], [ax, ay, alpha] of its origin, and
-/// how the pose follows the parameters.
+/// A frame in another: its pose (x, y, theta), the rates [vx, vy, omega] and [ax, ay, alpha] of its
+/// origin, and the derivatives of the pose with respect to the parameters.
 struct Frame {
   Pose<double> pose;
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
@@ -35,9 +35,9 @@ struct Frame {
 
   /// A frame at rest in the outer frame, with a pose.
   [[nodiscard]] static Frame at(const Pose<Dual>& pose);
-  /// Takes over the rates of a pose that is a function of time (its first and second derivative).
+  /// Sets the rates from a pose that is a function of time (its first and second derivative).
   void move(const Pose<Dual>& in_time);
-  /// The pose with its derivatives to the parameters, and as a function of time.
+  /// The pose with its derivatives by the parameters, and as a function of time.
   [[nodiscard]] Pose<Dual> to_parameters() const;
   [[nodiscard]] Pose<Dual> in_time() const;
   /// The frame that coincides with the outer frame.
@@ -61,7 +61,7 @@ void compose(const Frame& frame, const Frame& inner, Frame& result);
 /// Finds the origin of `inner`, in the frame in which `frame` is given.
 void carry(const Frame& frame, const Frame& inner, Point& result);
 
-/// The pose of the outer frame, seen from a frame.
+/// The pose of the outer frame relative to a frame.
 template <typename Scalar>
 [[nodiscard]] Pose<Scalar> inverse(const Pose<Scalar>& pose) {
   return {-(pose.direction.cos * pose.x) - pose.direction.sin * pose.y,

@@ -1,4 +1,4 @@
-// The links of a mechanism's group in the frames in which its model measures them, in any scalar.
+// Links of a group in the frames in which its model measures them, in any scalar.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace assur::mechanism {
 
-/// The frame of a link in which its group's model measures it, what it measures there, and for each
-/// joint the distance by which the model's displacement begins elsewhere (`NormalForm`).
+/// The frame of a link in its group's model, the dimensions in this frame, and for each joint the
+/// offset of the origin of the model's displacement (`NormalForm`).
 template <typename Scalar>
 struct LinkForm {
   Pose<Scalar> frame;
@@ -27,17 +27,17 @@ struct LinkForm {
 template <typename Scalar>
 struct GroupGeometry {
   const RoleAssignment* roles = nullptr;  ///< null where no assignment has a normal form
-  std::string obstacle;                   ///< in that case: which link has none, and why
-  std::string flaw;                       ///< the link that has no length, if there is one
+  std::string obstacle;                   ///< if null: the link without one, and why
+  std::string flaw;                       ///< the link without length, if there is one
   std::vector<LinkForm<Scalar>> links;    ///< of each link of the model
   std::vector<HeldAxis<Scalar>> held_axes;
-  /// How well the features define the links' frames, from zero to one. A held axis counts as firm.
+  /// How well the features define the links' frames, from zero to one. A held axis counts as one.
   double firmness = 0;
-  /// Some external slides of a degenerate model, each with the length by which the base's line has
-  /// to be moved back across itself.
+  /// Some external slides of a degenerate model, each with the length by which the base's line must
+  /// be moved back across itself.
   std::vector<std::pair<int, Scalar>> held_offsets;
 
-  /// Returns that length for an external joint of the model; zero if it has none.
+  /// That length for an external joint of the model; zero if it has none.
   [[nodiscard]] double offset_of(int joint) const {
     for (const auto& [own, offset] : held_offsets) {
       if (own == joint) {
@@ -57,7 +57,7 @@ struct GroupGeometry {
   }
 };
 
-/// How a mechanism measures a slide of a group: sense * (displacement + shift).
+/// The mechanism's measure of a slide of a group: sense * (displacement + shift).
 template <typename Scalar>
 struct SlideMeasure {
   double sense;
@@ -73,9 +73,9 @@ template <typename Scalar>
           {normal.shift.begin(), normal.shift.end()}};
 }
 
-/// The form of a link of any number of joints, whose axes keep their directions: the origin is its
-/// first point, or a point of its first line where it has no point. Of each other point the model
-/// has the coordinates; of each line the angle and, unless the origin is on it, the offset.
+/// The form of a link with any number of joints, whose axes keep their directions: the origin is
+/// its first point, or a point of its first line if it has no point. The model has the coordinates
+/// of each other point, and of each line the angle and, unless the origin is on it, the offset.
 template <typename Scalar>
 [[nodiscard]] LinkForm<Scalar> link_form(const std::vector<LinkFeature<Scalar>>& features,
                                          const Scalar& zero) {
@@ -104,9 +104,9 @@ template <typename Scalar>
 }  // namespace values
 
 /// The group in normal form under the first assignment of roles that defines its links' frames
-/// well, or else the best; a derived model needs no such choice. `feature_of(joint, link)` is a
-/// joint's feature in the frame of a link
-/// (`carried_feature`), `zero` depends on nothing. A `Scalar` gives its plain value by `value()`.
+/// well, or else the best one; a derived model needs no such choice. `feature_of(joint, link)` is a
+/// joint's feature in the frame of a link (`carried_feature`); `zero` depends on no parameter. A
+/// `Scalar` gives its plain value by `value()`.
 template <typename Scalar, typename FeatureOf>
 [[nodiscard]] GroupGeometry<Scalar> group_geometry(const Structure& structure,
                                                    const FoundGroup& group,
@@ -152,7 +152,7 @@ template <typename Scalar, typename FeatureOf>
   return geometry;
 }
 
-/// How the slide at a joint of the model is measured.
+/// The measure of the slide at a joint of the model.
 template <typename Scalar>
 [[nodiscard]] SlideMeasure<Scalar> slide_measure(const Structure& structure,
                                                  const FoundGroup& group,

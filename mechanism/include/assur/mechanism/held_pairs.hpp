@@ -1,5 +1,4 @@
-// Turns all joints of a mechanism, redundant ones among them, into pairs of features that they
-// hold.
+// Pairs of features that the joints of a mechanism hold together, redundant joints included.
 #pragma once
 
 #include <array>
@@ -9,7 +8,7 @@
 
 namespace assur::mechanism {
 
-/// Two features, and which coordinates (x, y, theta) of the second one in the frame of the first
+/// Two features, and the coordinates (x, y, theta) of the second one in the frame of the first that
 /// are held; a driver may prescribe one of them. For a pin on a line, the line is the first.
 struct HeldPair {
   FeatureIndex first, second;
@@ -21,16 +20,17 @@ struct HeldPair {
   std::string joint = {};  ///< the name of the joint to which the pair belongs
 };
 
-/// Whether a joint was not described, but stands in for what is left of a redundant joint.
+/// Whether a joint was not described, but replaces a redundant joint with fewer constraints.
 [[nodiscard]] bool is_stand_in(const Joint& joint, const std::vector<RedundantJoint>& redundant);
 
 /// The pair of features that a redundant joint holds.
 [[nodiscard]] HeldPair held_by(const Mechanism& mechanism, const RedundantJoint& joint);
 
-/// The pairs that all described joints hold; those that are solved for come first.
+/// The pairs that all described joints hold; joints that are solved, not redundant ones, come
+/// first.
 [[nodiscard]] std::vector<HeldPair> held_pairs(const Mechanism& mechanism,
                                                const std::vector<RedundantJoint>& redundant);
-/// Those of them that are joints of two links.
+/// The pairs of joints between two links.
 [[nodiscard]] std::vector<HeldPair> pairs_of_two_links(
     const Mechanism& mechanism, const std::vector<RedundantJoint>& redundant);
 

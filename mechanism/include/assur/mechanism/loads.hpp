@@ -1,4 +1,4 @@
-// What loads the links of a mechanism: masses, gravity, forces, couples, springs and dampers.
+// Loads on the links of a mechanism: masses, gravity, forces, couples, springs and dampers.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct Load {
   std::string name;
   PlaceOnLink at;
   NumberIndex force_x, force_y;  ///< do not exist for a couple
-  LinkIndex frame;               ///< in which the force is given; the ground's if it does not exist
+  LinkIndex frame;               ///< the frame of the force; the ground's if it does not exist
   NumberIndex moment;            ///< does not exist for a force
 };
 
@@ -39,9 +39,9 @@ struct Spring {
   NumberIndex stiffness, rest, damping;
 };
 
-/// All that loads a mechanism.
+/// All loads of a mechanism.
 struct Loading {
-  std::vector<Mass> masses;  ///< one of a link at most
+  std::vector<Mass> masses;  ///< at most one for each link
   std::array<NumberIndex, 2> gravity;
   std::vector<Load> loads;
   std::vector<Spring> springs;

@@ -1,5 +1,4 @@
-// Turns links, joints, drivers and outputs, added one by one under their names, into one planar
-// mechanism.
+// Planar mechanism of links, joints, drivers and outputs, built part by part by name.
 #pragma once
 
 #include <array>
@@ -16,7 +15,7 @@
 
 namespace assur::mechanism {
 
-/// A number of a mechanism, and the part of the mechanism that it is, for messages.
+/// A number of a mechanism, and its part of the mechanism, for messages.
 struct Number {
   Formula formula;
   std::string part;  ///< `links.crank.B[0]`
@@ -27,7 +26,7 @@ struct Parameter {
   std::string name;
   NumberIndex value;
   NumberIndex tolerance;  ///< a half-width; does not exist if the parameter has no tolerance
-  /// Rates in time. Where they do not exist, they follow from those of the parameters in its
+  /// Rates in time. If they do not exist, they follow from the rates of the parameters in its
   /// formula.
   NumberIndex velocity, acceleration;
 };
@@ -46,7 +45,7 @@ struct Link {
   std::string name;
   std::vector<FeatureIndex> features;
   bool is_drawn = false;  ///< whether points of a drawing define its frame and its features
-  bool is_idle = false;   ///< whether it would turn freely on its one pin, and is held at rest
+  bool is_idle = false;   ///< whether it would turn freely on its only pin, and is held at rest
 };
 
 /// The constraint that a joint puts on its features.
@@ -62,8 +61,8 @@ struct Joint {
   JointType type = JointType::revolute;
   std::vector<FeatureIndex> between;
   NumberIndex lowest, highest;  ///< of its coordinate; do not exist where it has no limits
-  /// Whether it is said from which link to which the coordinate is measured. Where it is not,
-  /// neither drivers nor formulas may name the joint.
+  /// Whether the order of its links, and so the sense of its coordinate, is given. If not, neither
+  /// drivers nor formulas may name the joint.
   bool is_measured = true;
 };
 
@@ -72,7 +71,7 @@ struct Joint {
 struct Driver {
   JointIndex joint;
   NumberIndex position;
-  NumberIndex velocity, acceleration;  ///< where they do not exist, they follow from the law
+  NumberIndex velocity, acceleration;  ///< if they do not exist, they follow from the law
 };
 
 /// A point to report.
@@ -82,8 +81,8 @@ struct Output {
 };
 
 /// One planar mechanism: its parts, without a request for results. Every function that adds a part
-/// throws MechanismError if the part does not fit the others, and then leaves the mechanism as it
-/// was.
+/// throws MechanismError if the part does not fit the others, and then leaves the mechanism
+/// unchanged.
 ///
 ///     Mechanism four_bar("a four-bar");
 ///     four_bar.add_parameter("phi", "60*deg");
@@ -94,12 +93,13 @@ struct Output {
 ///     four_bar.add_driver("A", "phi", 1);
 ///     four_bar.add_output("P", "coupler.P");
 ///
-/// Lengths share one unit; angles are radians. The link named `ground`, if there is any, is the
-/// fixed frame. A number may be given as a number or as an expression in parameters that have been
-/// declared (docs/guide/scenes.md).
+/// Lengths share one unit; angles are radians. The link named `ground`, if there is one, is the
+/// fixed frame. A number may be given as a number or as an expression in declared parameters
+/// (docs/guide/scenes.md).
 class Mechanism {
  public:
-  /// A chain of a thousand cranks takes two seconds to plan, and the time grows as the cube.
+  /// The limit: planning a chain of a thousand cranks takes two seconds, and the time grows as the
+  /// cube.
   static constexpr std::size_t most_links = 1000;
 
   /// A number as a caller gives it: a number, the text of an expression, or a formula.
@@ -120,10 +120,10 @@ class Mechanism {
 
   explicit Mechanism(std::string name = "") : name_(std::move(name)) {}
 
-  /// Makes a name known to expressions. The parameter must get a value before the mechanism is
+  /// Declares a name for use in expressions. The parameter must get a value before the mechanism is
   /// used.
   ParameterIndex declare_parameter(const std::string& name);
-  /// Gives a declared parameter a value, or another one; `part` is what messages call it.
+  /// Sets the value of a declared parameter; `part` is its name in messages.
   void set_parameter(const std::string& name, const Given& value, const std::string& part = "");
   void set_tolerance(const std::string& name, const Given& half_width);
   /// Sets a rate in time. Quantities that depend on the parameter get their rates by the chain
@@ -134,24 +134,24 @@ class Mechanism {
   ParameterIndex add_parameter(const std::string& name, const Given& value);
 
   LinkIndex add_link(const std::string& name);
-  /// A link whose frame and features are those of points of a drawing.
+  /// A link whose frame and features are defined by points of a drawing.
   LinkIndex add_drawn_link(const std::string& name);
   /// Adds a feature; `name` is `link.feature`.
   FeatureIndex add_point(const std::string& name, const Given& x, const Given& y);
   /// A line through a point; `along` is its direction, of any length except zero.
   FeatureIndex add_line(const std::string& name, const Given& x, const Given& y,
                         const Given& along_x, const Given& along_y);
-  /// A line from one point of the link to another; both are names of features without the link's.
+  /// A line from one point of the link to another, both given by their names without the link's.
   FeatureIndex add_line(const std::string& name, const std::string& from, const std::string& to);
   JointIndex add_joint(const std::string& name, JointType type,
                        const std::vector<std::string>& between);
-  /// A revolute joint of which nobody has said from which link to which its coordinate is measured.
+  /// A revolute joint whose coordinate has no sense, since the order of its links is not given.
   JointIndex add_unmeasured_joint(const std::string& name, const std::vector<std::string>& between);
-  /// Sets the range, ends included, of a configuration's coordinate of a joint of two links. An
-  /// angle is within it if whole turns bring it there.
+  /// Sets the range, ends included, of the coordinate of a joint of two links. An angle is within
+  /// the range if whole turns bring it there.
   void set_limits(const std::string& joint, const Given& lowest, const Given& highest);
   /// Adds a driver. The position may contain `joint(K)`, the coordinate of another joint of two
-  /// links. Rates that are not given follow from the position.
+  /// links. Omitted rates follow from the position.
   DriverIndex add_driver(const std::string& joint, const Given& position,
                          const std::optional<Given>& velocity = std::nullopt,
                          const std::optional<Given>& acceleration = std::nullopt);
@@ -180,7 +180,7 @@ class Mechanism {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   void set_name(const std::string& name);
-  /// The name of the unit of length; empty if it was not given.
+  /// The name of the unit of length; may be empty.
   [[nodiscard]] const std::string& unit() const { return unit_; }
   void set_unit(const std::string& unit);
   [[nodiscard]] const Table<ParameterIndex, Parameter>& parameters() const { return parameters_; }
@@ -197,24 +197,24 @@ class Mechanism {
   /// The fixed frame; does not exist if no link is named `ground`.
   [[nodiscard]] LinkIndex ground() const { return index_of(links_, std::string("ground")); }
 
-  /// Holds at rest, by a driver each, the links that nothing else than one pin holds, if no driver,
-  /// limit, formula or load is at that pin and nothing loads the link; `angle_of` gives the angle
-  /// of a link. Two links that are pinned to each other alone are held by one driver. Does nothing
-  /// where more than these links can move.
+  /// Holds at rest, by a driver each, the links that only one pin holds, if no driver, limit,
+  /// formula or load is at that pin and nothing loads the link; `angle_of` gives the angle of a
+  /// link. Two links pinned only to each other are held by one driver. Does nothing if other links
+  /// can move as well.
   void hold_idle_links(const std::function<Formula(LinkIndex)>& angle_of);
 
   /// The mechanism without the links that are not kept: without their features and outputs, and
-  /// without the joints that fewer than two of the kept links share. Parameters and numbers stay as
-  /// they are.
+  /// without the joints that fewer than two of the kept links share. Parameters and numbers are
+  /// unchanged.
   [[nodiscard]] Mechanism only(const Table<LinkIndex, bool>& kept) const;
 
-  /// The mechanism with all its drivers moved on: angles by `by`, displacements by `by * length`.
+  /// The mechanism with all its drivers advanced: angles by `by`, displacements by `by * length`.
   [[nodiscard]] Mechanism driven_on(double by, double length) const;
-  /// The mechanism in which a joint no longer holds one of its links, the one with this feature.
+  /// The mechanism in which a joint no longer holds one of its links, the owner of this feature.
   [[nodiscard]] Mechanism without(JointIndex joint, FeatureIndex feature) const;
   /// The mechanism in which a pin replaces one of the lines of a prismatic joint, at the line's
   /// `through`. The pin slides in the other line, so that the joint has one constraint less; its
-  /// displacement stays.
+  /// displacement is unchanged.
   [[nodiscard]] Mechanism with_pin(JointIndex slide, FeatureIndex line) const;
   /// The mechanism with a slot on one of the links of a revolute joint, along the line from another
   /// point of that link, so that the joint has one constraint less.
@@ -223,7 +223,7 @@ class Mechanism {
 
   /// The formula of a number that names parameters only.
   [[nodiscard]] Formula formula_of(const Given& given, const std::string& part) const;
-  /// The parameter with a name; `part` is what a message calls the place that names it.
+  /// The parameter with a name; `part` is the place of the name, for messages.
   [[nodiscard]] ParameterIndex parameter_named(const std::string& name,
                                                const std::string& part = "") const;
   /// A number that a request adds; it counts as one of the mechanism's.
@@ -234,7 +234,7 @@ class Mechanism {
   void hold(JointIndex joint, const std::function<Formula(LinkIndex)>& angle_of);
   /// Updates drivers to other indices of joints, and removes the drivers of joints that are gone.
   void renumber_drivers(const Table<JointIndex, JointIndex>& joint_of);
-  /// What an expression may name beside parameters.
+  /// The names allowed in an expression beside parameters.
   enum class Reads : unsigned char { parameters, joints };
   [[nodiscard]] Formula formula(const std::string& text, const std::string& part,
                                 Reads reads) const;
@@ -245,21 +245,20 @@ class Mechanism {
   void put_number(const Given& given, const std::string& part, NumberIndex& place);
   void expect_new_parameter(const std::string& name) const;
   ParameterIndex add(Parameter parameter);
-  /// The feature that `link.feature` names, on a link that exists; the link need not have the
-  /// feature yet.
+  /// The feature `link.feature` of an existing link; the link need not have the feature yet.
   [[nodiscard]] Feature on_link(const std::string& name, const std::string& part) const;
   [[nodiscard]] Feature new_feature(const std::string& name, const std::string& part) const;
   FeatureIndex add_feature(Feature feature);
   [[nodiscard]] FeatureIndex feature_named(const std::string& name, const std::string& part) const;
   void expect_fitting(const Joint& joint, const std::string& part) const;
-  /// Throws MechanismError for a joint whose coordinate has no sense, with the mend.
+  /// Throws MechanismError, with the remedy, for a joint whose coordinate has no sense.
   void expect_measured(const Joint& joint, const std::string& part) const;
   [[nodiscard]] LinkIndex link_named(const std::string& name, const std::string& part) const;
   [[nodiscard]] FeatureIndex point_named(const std::string& name, const std::string& part) const;
   [[nodiscard]] NumberIndex number_not_negative(const Given& given, const std::string& part);
   void expect_new_load(const std::string& name, const std::string& part) const;
   void expect_new_spring(const std::string& name, const std::string& part) const;
-  /// Leaves out the loads of links and features without new indices, and gives the others theirs.
+  /// Removes the loads of links and features without new indices, and renumbers the others.
   void renumber_loading(const Table<LinkIndex, LinkIndex>& link_of,
                         const Table<FeatureIndex, FeatureIndex>& feature_of);
   /// Updates the formulas of loads to other indices of joints.

@@ -1,4 +1,4 @@
-// Turns the features of a group's links into the normal forms of these links, in any scalar.
+// Normal forms of a group's links, from their features, in any scalar.
 #pragma once
 
 #include <algorithm>
@@ -17,15 +17,15 @@
 
 namespace assur::mechanism {
 
-/// A link with points alone, the first two of which coincide or nearly do, so that the line from
-/// one to the other has no direction, or one that turns too fast to be differentiated. The x-axis
-/// of the link's normal frame is then held at a fixed angle on the link. The second point may move
-/// across this axis, for which the model has no dimension.
+/// A link with points alone, the first two of which coincide or nearly do, so that the line through
+/// them has no direction, or one that turns too fast to be differentiated. The x-axis of the link's
+/// normal frame is then held at a fixed angle on the link. The second point may move across this
+/// axis, for which the model has no dimension.
 template <typename Scalar>
 struct HeldAxis {
   int link;               ///< of the model
-  std::size_t dimension;  ///< of the model: where the second point is along the axis
-  Scalar across;          ///< where it is across the axis: zero, with derivatives
+  std::size_t dimension;  ///< of the model: the second point's coordinate along the axis
+  Scalar across;          ///< its coordinate across the axis: zero, with derivatives
 };
 
 namespace values {
@@ -39,7 +39,7 @@ namespace values {
   return static_cast<std::size_t>(std::find(joints.begin(), joints.end(), joint) - joints.begin());
 }
 
-/// The joint, or the link, of the mechanism that plays the given one of the model.
+/// The mechanism's joint, or link, in the role of the model's.
 [[nodiscard]] inline const ElementaryJoint& played_joint(const Structure& structure,
                                                          const RoleAssignment& roles, int joint) {
   return structure.linkage.joints[roles.joints[static_cast<std::size_t>(joint)]];
@@ -48,13 +48,13 @@ namespace values {
   return roles.links[static_cast<std::size_t>(link)];
 }
 
-/// Lines closer to parallel than this do not define a frame by where they cross.
+/// Lines closer to parallel than this do not define a frame by their intersection.
 inline constexpr double parallel = 1e-3;
 inline constexpr double well = 0.05;  ///< above this firmness, frames are well defined
 
-/// Points closer to one another than this part of their distance from the third point do not define
-/// an axis, so that it is held. With formulas as scalars it is held only where the square of this
-/// part is negligible, too, since an emitted solver does not follow points across an axis.
+/// If two points are closer than this fraction of their distance from the third, they do not define
+/// an axis, which is held instead. With formulas as scalars it is held only if the square of the
+/// fraction is negligible, too, since an emitted solver does not follow points across an axis.
 template <typename Scalar>
 inline constexpr double close = 1e-150;
 template <>
@@ -67,7 +67,7 @@ template <typename Scalar>
   return turned(other.along, reversed(one.along)).sin;
 }
 
-/// Whether two lines are parallel, or a scalar that stands for other values too may make them so.
+/// Whether two lines are parallel, or may be for other values that a scalar represents.
 template <typename Scalar>
 [[nodiscard]] bool may_be_parallel(const LinkFeature<Scalar>& one,
                                    const LinkFeature<Scalar>& other) {
@@ -75,12 +75,13 @@ template <typename Scalar>
   return std::abs(sine.value()) < parallel || may_change(sine);
 }
 
-/// Brings the links of a group into normal form under one assignment of roles.
+/// Transforms the links of a group to normal form under one assignment of roles.
 ///
-/// A link whose features are lines alone has its origin where the first two cross. Where these may
-/// be parallel, the origin is anywhere on one of them, and the other's offset from it is passed on
-/// to the link that slides there: that link's line is moved back by the offset. The closures do not
-/// change. Where all slides of a degenerate model are parallel, the base takes the last offsets.
+/// The origin of a link whose features are lines alone is the intersection of the first two. If
+/// these may be parallel, the origin is any point on one of them, and the other's offset from it is
+/// passed to the link that slides there: that link's line is moved back by the offset. The closures
+/// do not change. If all slides of a degenerate model are parallel, the base takes the last
+/// offsets.
 template <typename Scalar>
 class NormalForms {
  public:
@@ -104,7 +105,7 @@ class NormalForms {
   }
 
   /// Links of parallel lines come first, and among these the ones with `first_size` joints, as each
-  /// passes an offset on to a later one. False if a link has no form: then `obstacle` says which.
+  /// passes an offset to a later one. Returns false if a link, named in `obstacle`, has no form.
   bool run(std::size_t first_size) {
     std::vector<std::size_t> links;
     const auto add = [&](auto belongs) {
@@ -158,8 +159,8 @@ class NormalForms {
   [[nodiscard]] std::vector<std::pair<int, Scalar>>& held_offsets() { return held_offsets_; }
 
   /// How well features define the frames, from zero to one: the sine between two lines, or the
-  /// distance of two points in parts of the link's size, but at most `well` if that may vary. A
-  /// held axis counts as firm unless `with_held_axes` is set.
+  /// distance of two points relative to the link's size, but at most `well` if that may vary. A
+  /// held axis counts as one unless `with_held_axes` is set.
   [[nodiscard]] double firmness(bool with_held_axes) const {
     double least = 1;
     for (std::size_t link = 0; link < forms_.size(); ++link) {
@@ -215,8 +216,8 @@ class NormalForms {
     return brought;
   }
 
-  /// Brings a link of three points, the first two of which nearly coincide and do not vary, into a
-  /// form with an axis at a fixed angle on it. Returns false for any other link.
+  /// Transforms a link of three points, the first two of which nearly coincide and do not vary, to
+  /// a form with an axis at a fixed angle on it. Returns false for any other link.
   bool hold_axis(std::size_t link) {
     const auto& features = features_[link];
     const bool has_three_points =
@@ -260,7 +261,7 @@ class NormalForms {
   }
 
   /// Whether the base can take an offset at a joint: it must be an external joint of a degenerate
-  /// group, of which no derivatives are computed.
+  /// group, for which no derivatives are computed.
   [[nodiscard]] bool is_held_at(int joint) const {
     const ModelJoint& at = group_.model->group->joints[static_cast<std::size_t>(joint)];
     return !group_.model->rigid && (at.first == base_link || at.second == base_link);

@@ -1,4 +1,4 @@
-// The indices of a mechanism's parts, each of a type of its own.
+// Indices of a mechanism's parts, each kind of part with its own type.
 #pragma once
 
 #include <assur/mechanism/formula.hpp>

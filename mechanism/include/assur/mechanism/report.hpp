@@ -1,4 +1,4 @@
-// Turns a solution into text for people, JSON or CSV for programs.
+// Reports of a solution: text for people, JSON or CSV for programs.
 #pragma once
 
 #include <assur/mechanism/plan.hpp>
@@ -10,20 +10,19 @@
 
 namespace assur::mechanism {
 
-/// A solution, with the plan and the values that were solved.
+/// A solution, with the plan and the values from which it was computed.
 struct Report {
   const Plan& plan;
   const Values& values;
   const Solution& solution;
-  std::string title;  ///< for people, where the mechanism has no name
-  int branch = 0;     ///< number of the one configuration to report, or 0 for all
+  std::string title;  ///< for people, if the mechanism has no name
+  int branch = 0;     ///< number of the only configuration to report, or 0 for all
   std::optional<Nearest> nearest =
-      std::nullopt;  ///< set where it was asked for, and then reported as such
-  /// Whether the one configuration is alone in the solution; the number of the nearest one is then
-  /// not known.
+      std::nullopt;  ///< set if it was requested, and then reported as such
+  /// Whether the solution contains only the reported configuration; the number of the nearest one
+  /// is then unknown.
   bool alone = false;
-  /// The branches and circuits of the configurations in the sweep; nothing where they were not
-  /// asked for.
+  /// The branches and circuits of the configurations in the sweep, if requested.
   std::optional<SweptPlaces> places = std::nullopt;
 };
 
@@ -39,25 +38,27 @@ struct Report {
 /// The rows of a sweep, below `csv_header`.
 class SweepRows {
  public:
-  /// How the angles of links are told.
+  /// The representation of links' angles.
   enum class Angles : unsigned char {
     principal,  ///< in (-pi, pi]
     unwrapped   ///< on each branch continued by whole turns from row to row
   };
 
-  /// Branches have no circuits where `circuits` does not name them.
-  SweepRows(const Plan& plan, Circuits circuits, Angles angles = Angles::principal)
-      : plan_(plan), circuits_(std::move(circuits)), angles_(angles) {}
+  explicit SweepRows(const Plan& plan, Angles angles = Angles::principal)
+      : plan_(plan), angles_(angles) {}
 
-  /// Adds one row to a text: a configuration on its branch, or an event.
+  /// Adds one row to a text: a configuration on its branch, or an event. The cell of its circuit is
+  /// empty, since any later event may join two circuits.
   void add(const SweepRecord& record, std::string& text);
 
+  /// Puts the circuit of its branch into a row; none if its branch has none.
+  static void set_circuit(const Circuits& circuits, std::string& row);
+
  private:
-  /// Continues the angles of a row from those of the last row of its branch.
+  /// Makes the angles of a row continuous with those of the last row of its branch.
   void unwrap(int branch, std::vector<double>& angles);
 
   const Plan& plan_;
-  Circuits circuits_;
   Angles angles_;
   std::map<int, std::vector<double>> last_angles_;  ///< of each branch
 };

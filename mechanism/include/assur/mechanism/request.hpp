@@ -1,5 +1,4 @@
-// Turns what is wanted of a mechanism into one object: results, reported parts, a sweep, a
-// covariance.
+// Request of results for a mechanism: quantities, reported parts, a sweep, a covariance.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +9,7 @@
 
 namespace assur::mechanism {
 
-/// The results that are wanted; others are not computed.
+/// The requested results; others are not computed.
 struct Want {
   bool position = true;
   bool velocity = true;
@@ -18,13 +17,13 @@ struct Want {
   bool sensitivity = true;
   bool forces = false;        ///< efforts of drivers, forces in joints, the ground's resultant
   bool dynamics = false;      ///< mass matrix, bias and load of the free drivers
-  bool coefficients = false;  ///< derivatives by the coordinates of the free drivers
+  bool coefficients = false;  ///< derivatives with respect to the coordinates of the free drivers
 
-  /// Whether anything is wanted that loads change.
+  /// Whether any requested result depends on loads.
   [[nodiscard]] bool loaded() const { return forces || dynamics; }
 };
 
-/// `count` equally spaced values of one parameter, both ends among them.
+/// `count` equally spaced values of one parameter, both ends included.
 struct Sweep {
   ParameterIndex parameter;
   NumberIndex from, to;
@@ -37,12 +36,12 @@ struct Covariance {
   std::vector<std::vector<NumberIndex>> matrix;  ///< square, in the order of `parameters`
 };
 
-/// What is reported beside the outputs: links, and slides by their joints. A list that is left out
-/// means all. A group on which nothing reported depends is not solved, and a plan's mechanism does
+/// The parts reported beside the outputs: links, and slides by their joints. An omitted list stands
+/// for all. A group on which no reported part depends is not solved, and a plan's mechanism does
 /// not contain it.
 struct Reported {
   std::optional<std::vector<LinkIndex>> links;
-  /// Prismatic ones, and pins in slots; revolute ones where forces or coefficients are wanted.
+  /// Prismatic joints and pins in slots; revolute joints if forces or coefficients are requested.
   std::optional<std::vector<JointIndex>> joints;
 
   [[nodiscard]] bool everything() const { return !links && !joints; }
@@ -62,7 +61,7 @@ struct ReferenceAngle {
   NumberIndex theta;
 };
 
-/// How far a pin is drawn beside its slot, in the scene's unit.
+/// The distance of a drawn pin from its slot, in the scene's unit.
 struct DrawnGap {
   std::string joint;
   double length;
@@ -70,10 +69,10 @@ struct DrawnGap {
 
 /// The pose in which a mechanism is drawn. Its angles are the request's reference.
 struct DrawnPose {
-  std::optional<DrawnGap> gap;  ///< the largest; nothing where all joints close in the drawing
+  std::optional<DrawnGap> gap;  ///< the largest; nothing if all joints close in the drawing
 };
 
-/// What is wanted of a mechanism.
+/// The results requested of a mechanism.
 struct Request {
   Want want;
   Reported reported;
@@ -83,11 +82,11 @@ struct Request {
   /// hold up to rounding.
   NumberIndex redundancy_tolerance;
   std::vector<ReferenceAngle> reference;  ///< by which one configuration is chosen
-  /// Exists where the reference is that of a drawing, as nobody has given another one. It keeps no
-  /// link in the solved part of the mechanism.
+  /// Exists if the reference is that of a drawing, for want of an explicit one. It keeps no link in
+  /// the solved part of the mechanism.
   std::optional<DrawnPose> drawn;
   bool prove = false;  ///< enclose every group of every configuration (`GroupProof`)
-  /// The parameters that stay arguments of an emitted solver; the others become numbers there.
+  /// The parameters that remain arguments of an emitted solver; the others become numbers there.
   std::vector<ParameterIndex> variable;
 };
 

@@ -1,4 +1,4 @@
-// Turns the positions of a point in many samples into means, deviations, extremes and histograms.
+// Means, deviations, extremes and histograms of a point's positions in many samples.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 namespace assur::mechanism {
 
 /// A histogram of a coordinate with a fixed number of bins. Their width is a power of two, which
-/// doubles while a number lies outside, so that the result depends on the numbers but not on their
+/// doubles until all numbers lie inside, so that the result depends on the numbers but not on their
 /// order.
 class Histogram {
  public:
@@ -21,7 +21,7 @@ class Histogram {
   Histogram(double middle, double scale);
   void add(double number);
 
-  /// How many numbers lie in a range.
+  /// The number of values in a range.
   struct Bar {
     double from, to;
     std::uint64_t count;

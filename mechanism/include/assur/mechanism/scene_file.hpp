@@ -1,4 +1,4 @@
-// Turns a scene file (JSON) into a mechanism and what is wanted of it.
+// Reads a mechanism and its request from a scene file (JSON).
 #pragma once
 
 #include <assur/mechanism/drawn_mechanism.hpp>
@@ -9,7 +9,7 @@
 
 namespace assur::mechanism {
 
-/// What a scene file holds, and the name of the file, which messages begin with.
+/// The content of a scene file, and the name of the file, with which messages begin.
 struct Scene {
   std::string file;
   Mechanism mechanism;
@@ -18,8 +18,8 @@ struct Scene {
 };
 
 /// Reads a scene. `settings` replace parameters' values: `NAME=EXPR`; messages call them
-/// `settings_name`. Throws InputError with one line: file, place, what is wrong, and the remedy
-/// where there is one.
+/// `settings_name`. Throws InputError with one line: the file, the place, the fault, and the remedy
+/// if there is one.
 [[nodiscard]] Scene read_scene(const std::filesystem::path& file,
                                const std::vector<std::string>& settings = {},
                                const std::string& settings_name = "settings");
@@ -28,7 +28,7 @@ struct Scene {
                                 const std::vector<std::string>& settings = {},
                                 const std::string& settings_name = "settings");
 
-/// The JSON Schema (draft 2020-12) of scenes: every key that the reader knows, and what it means.
+/// The JSON Schema (draft 2020-12) of scenes: every key of the format, with its meaning.
 [[nodiscard]] std::string scene_schema();
 
 }  // namespace assur::mechanism

@@ -1,4 +1,4 @@
-// Turns the results of solving into configurations of links, slides and output points.
+// Configurations of links, slides and output points, as the results of solving.
 #pragma once
 
 #include <assur/mechanism/frame.hpp>
@@ -30,8 +30,8 @@ struct SlideState {
   Derivatives<1> follows;
 };
 
-/// The angle of a joint that groups place and the law of a driver reads, with the whole turns that
-/// are counted along a branch.
+/// The angle of a joint that groups place and a driver's law reads, with the whole turns counted
+/// along a branch.
 struct CountedAngle {
   JointIndex joint;
   double angle;
@@ -52,20 +52,20 @@ struct Configuration {
   /// Whether derivatives (with a sweep, those with respect to the swept parameter) are known to one
   /// digit, so that the branch can be followed.
   bool path_known = true;
-  /// At a crossing, through which several motions go: this configuration once for each motion, with
-  /// its rates.
+  /// At a crossing, where several motions pass: this configuration once for each motion, with its
+  /// rates.
   std::vector<Configuration> branches;
   double residual = 0;  ///< the largest of the closures
   /// Whether the redundant constraints hold, and continue to hold as the mechanism moves.
   bool is_consistent = true;
-  /// Whether every joint keeps its limits. Solving leaves out configurations beyond them. A sweep
+  /// Whether every joint keeps its limits. Solving omits configurations beyond them. A sweep
   /// follows branches beyond the limits and back, but has no rows there.
   bool within_limits = true;
-  /// The determinant of each group's loop Jacobian, without a unit; NaN where it has no inverse.
-  /// Set only where the request has a sweep. Along a branch it changes its sign in singular
-  /// configurations only.
+  /// The determinant of each group's loop Jacobian, without a unit; NaN if it has no inverse. Set
+  /// only if the request has a sweep. Along a branch it changes its sign in singular configurations
+  /// only.
   Table<GroupIndex, double> determinants;
-  Table<GroupIndex, GroupProof> proofs;  ///< set only where the request asks for them
+  Table<GroupIndex, GroupProof> proofs;  ///< set only if the request asks for them
 
   /// Finds a part by its name. Throws MechanismError for a name that the mechanism does not have.
   [[nodiscard]] const Frame& link(const std::string& name) const;
@@ -81,16 +81,16 @@ struct Configuration {
 /// choice of configurations of the groups that hold it.
 struct Family {
   GroupIndex group;
-  int mobility = 0;                  ///< where it was found assembled; zero if it was not
-  std::string reason;                ///< which joints leave it free
+  int mobility = 0;    ///< in the position in which it was assembled; zero if it was not
+  std::string reason;  ///< the joints that leave it free
   Table<LinkIndex, bool> is_placed;  ///< whether a link is placed
   Table<LinkIndex, Frame> links;     ///< the frames of placed links
 };
 
-/// The configuration that comes nearest to the limits of joints, where all are beyond them: the
-/// root of the sum of its squared excesses, lengths in parts of the mechanism's, is the least.
+/// The configuration that comes nearest to the limits of joints, if all are beyond them: the root
+/// of the sum of its squared excesses, lengths relative to the mechanism's size, is the least.
 struct NearestToLimits {
-  /// By how much a joint is beyond its limits, in radians or the unit of length.
+  /// The excess of a joint beyond its limits, in radians or the unit of length.
   struct Excess {
     JointIndex joint;
     double by;
@@ -99,7 +99,7 @@ struct NearestToLimits {
   std::vector<Excess> excesses;
 };
 
-/// How many configurations are beyond the limits of a joint, and the least excess, in radians or
+/// The number of configurations beyond the limits of a joint, and the least excess, in radians or
 /// the unit of length.
 struct LimitBreach {
   JointIndex joint;
@@ -121,29 +121,29 @@ struct Solution {
   SolutionStatus status = SolutionStatus::ok;
   int mobility = 0;    ///< of the freest family, if the solution is degenerate
   std::string reason;  ///< why there are no configurations
-  /// Why configurations may be missing from the list; empty where none can be.
+  /// Why configurations may be missing from the list; empty if none can be.
   std::string incomplete;
   /// The configurations, in an order that depends on the mechanism alone.
   std::vector<Configuration> configurations;
   std::vector<Family> families;
-  /// How many configurations are beyond the limits of joints; nothing where there are too many to
-  /// be counted.
+  /// The number of configurations beyond the limits of joints; nothing if there are too many to
+  /// count.
   std::optional<std::size_t> left_out = 0;
-  /// How many choices of configurations of earlier groups leave the law of a driver without a
-  /// value, and why. Nothing is placed after such a choice.
+  /// The number of choices of earlier groups' configurations at which the law of a driver has no
+  /// value, and the reason; no link is placed after such a choice.
   std::size_t dropped = 0;
   std::string drop_reason;
   std::vector<LimitBreach> breaches;  ///< by configurations that were left out or are beyond limits
-  /// Only `Plan::nearest_to_limits` looks for it.
+  /// Set by `Plan::nearest_to_limits` only.
   std::optional<NearestToLimits> nearest_to_limits;
 };
 
-/// The configuration whose links stand closest to the angles of a request's reference. The distance
+/// The configuration whose links are closest to the angles of a request's reference. The distance
 /// is the root of the sum of the squared differences, in radians.
 struct Nearest {
   std::size_t configuration;  ///< its index in the solution
   double distance;
-  std::optional<double> runner_up;  ///< the distance of the next one; nothing if it is the only one
+  std::optional<double> runner_up;  ///< the distance of the second nearest; nothing if none
 };
 
 }  // namespace assur::mechanism

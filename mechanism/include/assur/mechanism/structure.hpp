@@ -1,4 +1,4 @@
-// Turns a mechanism into the order in which its links are placed: carried links and Assur groups.
+// Order in which a mechanism's links are placed: carried links and Assur groups.
 #pragma once
 
 #include <assur/mechanism/group_model.hpp>
@@ -9,15 +9,15 @@
 namespace assur::mechanism {
 
 /// A revolute or prismatic joint between two links, with its feature on each; a block, which has no
-/// size, has no feature. In a group, links that drivers or other groups tie together count as one
-/// of them: the joint joins that one, and the feature may belong to a link that it carries.
+/// size, has no feature. In a group, links that drivers or other groups connect rigidly count as
+/// one: the joint joins that one, and the feature may belong to a link that it carries.
 struct ElementaryJoint {
   std::string name;
   JointIndex joint;  ///< of the mechanism; does not exist between the blocks of two pins in a slot
   bool prismatic;
   LinkIndex first, second;  ///< the displacement runs from first to second
   FeatureIndex on_first, on_second;
-  LinkIndex holder_first = first, holder_second = second;  ///< the links that have the features
+  LinkIndex holder_first = first, holder_second = second;  ///< the owners of the features
 
   [[nodiscard]] bool joins(LinkIndex one, LinkIndex other) const {
     return (first == one && second == other) || (first == other && second == one);
@@ -33,7 +33,7 @@ struct ElementaryJoint {
 };
 using ElementaryJointIndex = Index<ElementaryJoint>;
 
-/// A pin of three links or more. Which two of them each of its k - 1 joints joins depends on the
+/// A pin of three links or more. The pairs of links that its k - 1 joints connect depend on the
 /// order in which the links are placed.
 struct SharedPin {
   std::string name;
@@ -42,19 +42,19 @@ struct SharedPin {
   std::vector<FeatureIndex> features;  ///< in the order of the links
 };
 
-/// A mechanism of elementary joints. A pin in a slot has become a block, a link of no size with a
-/// revolute and a prismatic joint, which comes after the mechanism's own links.
+/// A mechanism of elementary joints. A pin in a slot is replaced by a block, a link of no size with
+/// a revolute and a prismatic joint, which comes after the mechanism's own links.
 ///
-/// Two pins of one link in one straight slot are a slide that may stand either way. The block of
-/// the second one slides along the first one's block in place of the slot, in an elementary joint
-/// that belongs to no joint of the mechanism: the blocks and the link with the pins are then a
-/// dyad with two configurations, and the first block alone slides in the slot.
+/// Two pins of one link in one straight slot are a slide with two possible orientations. The block
+/// of the second one slides along the first one's block instead of the slot, in an elementary joint
+/// that belongs to no joint of the mechanism: the blocks and the link with the pins are then a dyad
+/// with two configurations, and the first block alone slides in the slot.
 struct Linkage {
   Table<LinkIndex, std::string> links;  ///< their names
   LinkIndex ground;
   Table<ElementaryJointIndex, ElementaryJoint> joints;
   std::vector<SharedPin> pins;
-  /// The joints of second pins in a slot: where these are along it follows from the links.
+  /// The joints of second pins in a slot: their displacements along it follow from the links.
   std::vector<JointIndex> second_pins = {};
 };
 
@@ -69,33 +69,33 @@ struct CarriedLink {
   DriverIndex driver;          ///< does not exist where a group places it
   ElementaryJointIndex joint;  ///< with the driver
   LinkIndex from, to;
-  GroupIndex group;  ///< the one solved relative to `from`; does not exist with a driver
+  GroupIndex group;  ///< the group solved relative to `from`; does not exist with a driver
   std::size_t groups_before = 0;  ///< how many groups are placed before: up to those of `from` and
                                   ///< of the links that the law reads
 };
 
-/// A redundant joint, which must hold where the other ones do: two features of one sort that
+/// A redundant joint, which must hold where the other joints hold: two features of one kind that
 /// coincide, or the line of a slot and the pin on it. The mechanism that is solved lacks its
 /// constraints.
 struct RedundantJoint {
   std::string name;
   FeatureIndex one, other;
-  /// The line of a slot in which a pin slides instead, or the pin by which a slide is held instead;
-  /// does not exist where no constraint is left.
+  /// The line of a slot in which a pin slides instead, or the pin that holds a slide instead; does
+  /// not exist if no constraint remains.
   FeatureIndex stand_in = {};
-  FeatureIndex from = {};  ///< the point of the other one's link from which such a slot leads
-  bool is_turned = false;  ///< whether the joint is described from the other one to the one
+  FeatureIndex from = {};  ///< the point on the link of `other` at which such a slot begins
+  bool is_turned = false;  ///< whether the joint is described from `other` to `one`
 };
 
 /// A driver whose law reads joints that groups place.
 struct ReadingDriver {
   DriverIndex driver;
-  /// How many groups, and carried links, are placed before the law can be evaluated.
+  /// The numbers of groups and carried links that are placed before the law can be evaluated.
   std::size_t groups_before, links_before;
   std::vector<LinkIndex> reads;  ///< the links at the joints that it reads
 };
 
-/// The links and joints of a linkage that play those of a group, by their indices in the group.
+/// The links and joints of a linkage in the roles of a group's, by their indices in the group.
 struct RoleAssignment {
   std::vector<LinkIndex> links;
   std::vector<ElementaryJointIndex> joints;
@@ -104,27 +104,27 @@ struct RoleAssignment {
 /// A group found in a mechanism.
 struct FoundGroup {
   const GroupModel* model;
-  std::string kind;  ///< spelled by the mechanism's order of links and joints
+  std::string kind;  ///< spelled in the mechanism's order of links and joints
   /// The links in the order of the mechanism, including those that its links carry, which drivers
   /// move or earlier groups place.
   std::vector<LinkIndex> links;
   /// Assignments under which the kind is the model's representative, in a fixed order.
   std::vector<RoleAssignment> assignments;
-  /// The link that holds all of the group, and relative to which the group is solved as if that
-  /// link were the ground; a later group places it, and these links with it. Does not exist where
-  /// the links that hold the group are placed before.
+  /// The link that holds all of the group, if the group is solved relative to it as if that link
+  /// were the ground; a later group places it, and these links with it. Does not exist if the links
+  /// that hold the group are placed earlier.
   LinkIndex base = {};
 };
 
 /// A slide, and the sense of its displacement: 1 if it runs from the link whose name comes first to
-/// the other one, -1 if back.
+/// the other one, -1 if it runs back.
 struct NamedSlide {
   JointIndex joint;
   double sense;
 };
 
-/// The parts that distinguish configurations, in the order of their names, which does not depend on
-/// how the mechanism is listed.
+/// The parts that distinguish configurations, in the order of their names, whatever the order in
+/// which the mechanism lists them.
 struct NamedParts {
   std::vector<LinkIndex> links;  ///< that groups place
   std::vector<NamedSlide> slides;
@@ -135,13 +135,13 @@ struct Structure {
   Linkage linkage;                   ///< with every pin of several links as joints of two
   std::vector<CarriedLink> carried;  ///< in the order in which they are placed
   Table<GroupIndex, FoundGroup> groups;
-  std::vector<DriverIndex> laws;       ///< of all drivers, each behind those that its law reads
+  std::vector<DriverIndex> laws;       ///< of all drivers, each after those that its law reads
   std::vector<ReadingDriver> reading;  ///< in the order in which they can be evaluated
 
   [[nodiscard]] std::vector<std::string> names_of(const std::vector<LinkIndex>& links) const;
   /// Links and slides in the order of their names.
   [[nodiscard]] NamedParts named_parts(const Mechanism& mechanism) const;
-  /// For each link, how many groups are placed before the link is.
+  /// The number of groups placed before each link.
   [[nodiscard]] Table<LinkIndex, std::size_t> groups_before() const;
   /// For each link, whether it is the ground or carried by it, whatever the laws read: no group
   /// places it.
@@ -154,8 +154,8 @@ struct Structure {
   [[nodiscard]] std::vector<GroupIndex> holders_of(GroupIndex group) const;
   /// The groups that hold a group, and those that hold these, in order.
   [[nodiscard]] std::vector<GroupIndex> all_holders_of(GroupIndex group) const;
-  /// For each link, whether it is placed as soon as all groups that hold a group are: it belongs to
-  /// these, or drivers place it against them by laws that read only placed links.
+  /// For each link, whether it is placed once all groups that hold a group are: it belongs to
+  /// these, or drivers place it relative to them by laws that read only placed links.
   [[nodiscard]] Table<LinkIndex, bool> placed_before(GroupIndex group) const;
   /// Whether laws of drivers change the shapes of groups' links, or read other joints.
   [[nodiscard]] bool moves_by_laws(const Mechanism& mechanism) const;
@@ -172,8 +172,8 @@ struct Structure {
 [[nodiscard]] std::vector<JointIndex> joints_in_laws(const Mechanism& mechanism,
                                                      DriverIndex driver);
 
-/// Throws MechanismError for a mechanism that is over- or under-constrained, that has no ground, or
-/// that holds a group that is not known.
+/// Throws MechanismError for a mechanism that is over- or under-constrained, without a ground, or
+/// with an unsupported group.
 [[nodiscard]] Structure structure_of(const Mechanism& mechanism);
 
 }  // namespace assur::mechanism

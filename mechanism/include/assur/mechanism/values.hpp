@@ -1,4 +1,4 @@
-// Turns a mechanism's parameters and formulas into numbers with derivatives to the parameters.
+// Numbers of a mechanism at given parameter values, with derivatives by the parameters.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,9 +18,9 @@ namespace assur::mechanism {
 struct Dependents;
 struct PlanData;
 
-/// How the parameters vary about their values.
+/// The variation of the parameters about their values.
 struct Spread {
-  Eigen::VectorXd tolerances;  ///< half-widths of all parameters; zero where there is no tolerance
+  Eigen::VectorXd tolerances;  ///< half-widths of all parameters; zero without a tolerance
   /// The covariance of all parameters, zero for those that the request does not name; empty without
   /// a covariance.
   Eigen::MatrixXd covariance;
@@ -41,26 +41,26 @@ struct JointMotion {
 
 /// The numbers of a mechanism at one set of parameter values. A parameter may be a formula in
 /// others; its own derivative is one, and the parameters in its formula enter by the chain rule.
-/// `Plan::values` makes them; `set` evaluates again only what depends on the parameter.
+/// `Plan::values` makes them; `set` evaluates only the numbers that depend on the parameter.
 class Values {
  public:
-  /// Puts a value in place of each of some parameters' formulas. Throws MechanismError for a value
-  /// or a derivative that is not finite, a negative tolerance, a line without a direction, or a
-  /// covariance that no random variables can have.
+  /// Replaces the formulas of some parameters by values. Throws MechanismError for a value or a
+  /// derivative that is not finite, a negative tolerance, a line without a direction, or a
+  /// covariance that is not positive semidefinite.
   Values(std::shared_ptr<const PlanData> plan,
          std::vector<std::pair<ParameterIndex, double>> replaced);
 
   /// Sets another value of one parameter. Throws as the constructor does; these values then cannot
   /// be solved until a usable value is set.
   void set(ParameterIndex parameter, double value);
-  /// Sets other values of some parameters, and evaluates once what depends on any of them. The list
-  /// of dependents is kept for further calls with the same parameters.
+  /// Sets other values of some parameters, and evaluates the numbers that depend on any of them
+  /// once. The list of dependents is kept for further calls with the same parameters.
   void set(const std::vector<std::pair<ParameterIndex, double>>& changed);
-  /// The parameters that have a value in place of their formula, with that value.
+  /// The parameters with a value instead of their formula, with that value.
   [[nodiscard]] const std::vector<std::pair<ParameterIndex, double>>& replaced() const {
     return replaced_;
   }
-  /// Whether the last `set` went through.
+  /// Whether the last `set` succeeded.
   [[nodiscard]] bool usable() const { return usable_; }
 
   [[nodiscard]] double parameter(ParameterIndex parameter) const {
@@ -70,22 +70,22 @@ class Values {
   /// derivatives.
   [[nodiscard]] const Dual& number(NumberIndex number) const { return numbers_[number]; }
   /// A parameter as a function of time: its derivative is its rate, its second derivative the
-  /// second rate. It is a constant where it is at rest.
+  /// second rate. It is a constant if it is at rest.
   [[nodiscard]] const Dual& in_time(ParameterIndex parameter) const {
     return parameters_in_time_[parameter];
   }
   /// The value of a driver's law. A law that reads joints has no value until their links are
   /// placed.
   [[nodiscard]] const JointMotion& motion(DriverIndex driver) const { return motions_[driver]; }
-  /// Evaluates a law that reads joints without drivers, and what depends on it, from their
-  /// coordinates. Throws as the constructor does, except that derivatives may be infinite or NaN
-  /// where those of the joints are.
+  /// Evaluates a law that reads joints without drivers, and the numbers that depend on it, from the
+  /// joints' coordinates. Throws as the constructor does, except that derivatives may be infinite
+  /// or NaN where those of the joints are.
   void settle(DriverIndex driver, const std::function<JointMotion(JointIndex)>& coordinate_of);
-  /// Takes over the frames of a group's links in the frame of the link relative to which it is
-  /// solved, and evaluates the groups that they shape.
+  /// Sets the frames of a group's links in the frame of the link relative to which it is solved,
+  /// and evaluates the groups that they shape.
   void settle(GroupIndex group, const Table<LinkIndex, Frame>& links,
               const Table<LinkIndex, support::Displacement>& displaced);
-  /// The value of any number, evaluated here and now. Throws MechanismError where it is not finite.
+  /// The value of any number, evaluated at once. Throws MechanismError if it is not finite.
   [[nodiscard]] double value_of(NumberIndex index) const;
   /// The parts whose formulas have a corner at these values, to within rounding: an abs, min or max
   /// that reads no joint. Derivatives are those of the side where the argument of an abs is
@@ -99,16 +99,16 @@ class Values {
   [[nodiscard]] const Frame& frame(FeatureIndex feature) const {
     return feature.exists() ? frames_[feature] : block_;
   }
-  /// A carried link's own frame, by the link's index among them: in the frame of the driven joint
-  /// on it, or, where a group places it, in the frame of the link that carries it, once the group
-  /// is settled. The second function says how far rounding may have displaced it there.
+  /// A carried link's own frame, by its index among the carried links: in the frame of the driven
+  /// joint on it, or, if a group places it, in the frame of the link that carries it, once the
+  /// group is settled. The second function bounds its displacement by rounding.
   [[nodiscard]] const Frame& carried_frame(std::size_t place) const {
     return carried_frames_[place];
   }
   [[nodiscard]] const support::Displacement& carried_rounding(std::size_t place) const {
     return carried_roundings_[place];
   }
-  /// How far rounding may have moved and turned a feature on its link, beyond that of its own
+  /// The bound on a feature's displacement and turn on its link by rounding, beyond that of its own
   /// coordinates.
   [[nodiscard]] support::Displacement rounding(FeatureIndex feature) const {
     return feature.exists() ? roundings_[feature] : support::Displacement();
@@ -119,9 +119,9 @@ class Values {
   [[nodiscard]] SlideMeasure<Dual> slide_measure(GroupIndex group, int model_joint) const;
 
   /// The parameters with respect to which derivatives are taken, in the order of their columns: all
-  /// of them where sensitivities are wanted, otherwise the swept one, if any.
+  /// of them if sensitivities are requested, otherwise the swept one, if any.
   [[nodiscard]] const std::vector<ParameterIndex>& columns() const;
-  /// Whether second derivatives are carried: a covariance and sensitivities are wanted.
+  /// Whether second derivatives are carried: a covariance and sensitivities are requested.
   [[nodiscard]] bool second_order() const;
   [[nodiscard]] const Spread& spread() const { return spread_; }
   [[nodiscard]] const PlanData& plan() const { return *plan_; }
@@ -129,7 +129,7 @@ class Values {
   /// A number that does not depend on the parameters.
   [[nodiscard]] Dual constant(double value) const;
 
-  /// The plain numbers of a group that solving needs; they are made with the group's geometry.
+  /// The plain numbers of a group needed for solving; they are computed with the group's geometry.
   struct GroupNumbers;
   /// The numbers of a group, which must have a normal form.
   [[nodiscard]] const GroupNumbers& numbers_of(GroupIndex group) const {
@@ -139,7 +139,7 @@ class Values {
  private:
   void expect_finite(ParameterIndex parameter, double value) const;
   void expect_limits() const;
-  /// Throws MechanismError where all coordinates are too small to be divided by.
+  /// Throws MechanismError if all coordinates are too small to be divisors.
   void expect_unit() const;
   void evaluate();
   void replace(ParameterIndex parameter, double value);
@@ -151,17 +151,17 @@ class Values {
   void evaluate_driver(DriverIndex index,
                        const std::function<JointMotion(JointIndex)>& coordinate_of);
   void evaluate_carried_frames();
-  /// The index of a carried link among them.
+  /// The index of a carried link among the carried links.
   [[nodiscard]] std::size_t place_of(const CarriedLink& link) const;
   void evaluate_group(GroupIndex index);
   void evaluate_requests();
   [[nodiscard]] Dual evaluated(
       NumberIndex index,
       const std::function<JointMotion(JointIndex)>& coordinate_of = nullptr) const;
-  /// Throws MechanismError where a derivative of a number is not finite.
+  /// Throws MechanismError if a derivative of a number is not finite.
   void expect_derivatives(NumberIndex index, const Dual& value) const;
   [[nodiscard]] double rounding(NumberIndex index) const;
-  // The following are functions of time; what does not move is a constant.
+  // The following are functions of time; numbers at rest are constants.
   [[nodiscard]] bool moves(NumberIndex number) const;
   [[nodiscard]] bool moves(FeatureIndex index) const;
   [[nodiscard]] bool moves(const FoundGroup& group) const;
@@ -175,17 +175,16 @@ class Values {
 
   std::shared_ptr<const PlanData> plan_;
   std::vector<std::pair<ParameterIndex, double>> replaced_;
-  /// What depends on each parameter that was set; null for the others.
+  /// The numbers that depend on each parameter that was set; null for the others.
   Table<ParameterIndex, std::shared_ptr<const Dependents>> dependents_;
-  /// The parameters that were last set together, and what depends on them.
+  /// The parameters that were last set together, and the numbers that depend on them.
   std::vector<ParameterIndex> set_together_;
   std::shared_ptr<const Dependents> dependents_together_;
   Table<ParameterIndex, Dual> parameters_;
   Table<ParameterIndex, double> parameter_roundings_;
   Table<NumberIndex, Dual> numbers_;
   Table<DriverIndex, JointMotion> motions_;
-  /// Parameters as functions of time, where they have rates: one derivative, and one second
-  /// derivative.
+  /// Parameters with rates, as functions of time: one derivative, and one second derivative.
   Table<ParameterIndex, Dual> parameters_in_time_;
   Table<FeatureIndex, LinkFeature<Dual>> features_;
   Table<FeatureIndex, Frame> frames_;

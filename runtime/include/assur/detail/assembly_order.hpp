@@ -1,4 +1,5 @@
-// Turns configurations into a list whose order rigid motion, reflection and change of units keep.
+// The order of a group's configurations, invariant under rigid motion, reflection and change of
+// units.
 #pragma once
 
 #include <array>
@@ -27,7 +28,7 @@ template <typename Model>
 inline constexpr bool comes_in_any_order<Model, std::void_t<decltype(Model::in_any_order)>> =
     Model::in_any_order;
 
-/// The variables of one of the groups or configurations whose numbers stand side by side in pairs.
+/// One of the two groups or configurations whose variables are stored as pairs of numbers.
 template <typename To, typename From>
 [[nodiscard]] To lane_of(const From& from, std::size_t index) {
   To result;
@@ -37,7 +38,7 @@ template <typename To, typename From>
   return result;
 }
 
-/// Joins the first `count` numbers of two lists of variables, place by place, into pairs.
+/// Joins the first `count` numbers of two lists of variables, entry by entry, into pairs.
 template <typename Scalar>
 void pair_numbers(const void* one, const void* other, std::size_t count, void* pairs) {
   for (std::size_t place = 0; place < count; ++place) {
@@ -67,9 +68,9 @@ template <typename Scalar>
   return one.cos * other.sin - one.sin * other.cos;
 }
 
-/// Calls `use` with every key by which configurations are ordered, its place from 0, and whether it
-/// is a length: first the cosines, then the sines, of the angles between each two links; then the
-/// lengths among the unknowns. The cosines do not change under rigid motion and reflection.
+/// Calls `use` with every sort key of a configuration, its index from 0, and whether it is a
+/// length: first the cosines, then the sines, of the angles between each two links; then the
+/// lengths among the unknowns. The cosines are invariant under rigid motion and reflection.
 template <typename Both, std::size_t Links, typename Use>
 void for_each_key_of(const std::array<Pose<Both>, Links>& links, Use& use, int& place) {
   using Link = Pose<Both>;
@@ -100,7 +101,7 @@ void for_each_key(const typename Model::template Dimensions<Both>& d,
   });
 }
 
-/// Where a key comes from: two links, or an unknown that is a length.
+/// The source of a key: two links, or an unknown that is a length.
 struct KeySource {
   std::size_t first, second;
 };
@@ -124,7 +125,7 @@ template <typename Model>
   return {size(first), size(second)};
 }
 
-/// The key at one place alone.
+/// The key at one index alone.
 template <typename Model, int Place, typename Both>
 [[nodiscard]] Both key_at(const typename Model::template Dimensions<Both>& d,
                           const typename Model::template Inputs<Both>& u,
@@ -160,7 +161,7 @@ template <typename Model, typename Scalar>
 }
 
 /// Whether the first of two configurations comes before the second. `square` is the square of the
-/// unit of lengths. Where a formula vouches for the roots, one key tells them apart, however close
+/// unit of lengths. If the formula certifies the roots, one key distinguishes them, however close
 /// they are.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool comes_before(
@@ -182,7 +183,7 @@ template <typename Model, typename Scalar>
   }
 }
 
-/// Puts a model's configurations in order.
+/// Sorts a model's configurations.
 template <typename Model, typename Scalar>
 void put_in_order(const typename Model::template Dimensions<Scalar>& dimensions,
                   const typename Model::template Inputs<Scalar>& inputs,

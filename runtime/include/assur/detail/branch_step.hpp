@@ -1,4 +1,4 @@
-// A step along a branch, which is refused where its end may lie on another branch.
+// A step along a branch, refused if its end may lie on another branch.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace assur::detail {
 
-/// The largest entry of a step, or NaN if there is one; lengths count in parts of the group's size.
+/// The largest entry of a step, or NaN if there is one; lengths are divided by the group's size.
 template <typename Model, typename Scalar>
 [[nodiscard]] Scalar turn_of(const Vector<Scalar, Model::unknown_count>& step,
                              Scalar inverse_size) {
@@ -52,27 +52,29 @@ void move_slightly(typename Model::template Configuration<Scalar>& q,
   });
 }
 
-/// The limits within which the end of a step is taken for a point of the same branch.
+/// Limits within which the end of a step is accepted as a point of the same branch.
 template <typename Scalar>
 struct StepLimits {
   using Limits = std::numeric_limits<Scalar>;
-  Scalar prediction = Scalar(0.4);   ///< the largest turn that is predicted, radians
+  Scalar prediction = Scalar(0.4);   ///< the largest predicted turn, radians
   Scalar correction = Scalar(0.2);   ///< the largest first correction of the prediction, radians
-  Scalar contraction = Scalar(0.3);  ///< the largest ratio of a correction to the one before
-  Scalar defect = Scalar(0.03);      ///< how far both ends' derivatives may miss the way, radians
-  /// A last correction: about its square is left, which is a rounding.
+  Scalar contraction = Scalar(0.3);  ///< the largest ratio of a correction to the previous one
+  /// The largest deviation of the step from the derivatives at both ends, radians.
+  Scalar defect = Scalar(0.03);
+  /// A correction this small is the last: the remaining error is about its square, a rounding.
   Scalar settled = (std::max)(Scalar(1e-7), numeric::half_of_digits<Scalar>);
-  /// A correction whose inverse serves for the last one, too: about its cube is left.
+  /// After a correction this small the same inverse serves for the last one: the remaining error is
+  /// about its cube.
   Scalar nearly_settled =
       (std::max)(Scalar(2e-5), numeric::power_of_two<Scalar>(-Limits::digits / 3));
-  /// The shortest step, as a part of the way asked for. The last step that is refused is at most
-  /// twice as long, and in all measurements the branch ended within twice that step: within 0.2%.
+  /// The shortest step, as a fraction of the requested path. The last refused step is at most twice
+  /// as long, and in all measurements the branch ended within twice that step: within 0.2%.
   Scalar shortest = Scalar(5e-4);
 };
 
-/// Moves a configuration as predicted and corrects it by Newton's steps; `way` is all that it has
-/// moved by then, `inverse` J^-1 before the last step. False where prediction or steps are too long
-/// to stay on a branch.
+/// Applies the prediction to a configuration and corrects it by Newton's steps; `way` is the total
+/// step, `inverse` J^-1 before the last step. False if the prediction or the corrections are too
+/// long to stay on a branch.
 template <typename Model, typename Scalar>
 [[nodiscard, gnu::always_inline]] inline bool predict_and_correct(
     const typename Model::template Dimensions<Scalar>& d,
@@ -103,7 +105,7 @@ template <typename Model, typename Scalar>
     }
     limit = limits.contraction * turn;
     if (turn <= limits.nearly_settled) {
-      // A further correction with the same inverse reduces the error in the same ratio again.
+      // A further correction with the same inverse reduces the error by the same ratio again.
       Model::residual(d, u, q, f);
       const Unknowns rest = -product(inverse, f);
       const Scalar found = turn_of<Model, Scalar>(rest, inverse_size);
@@ -126,11 +128,10 @@ template <typename Scalar, typename Variables>
   return largest;
 }
 
-/// The pivots of J that may vanish within twice a step, as far as this can be told from its one
-/// end: those that are heading for zero there. `beside` is where the inputs are after a part of the
-/// step, `pivots_beside` are those there. Where the inputs do not begin as they go on, as if they
-/// begin at rest, turn back, or go round in a circle, any pivot may vanish: their tangent and their
-/// chord then differ by more than half of the longer one.
+/// The pivots of J that extrapolation from one end predicts to vanish within twice a step. `beside`
+/// are the inputs after a small part of the step, `pivots_beside` the pivots there. If the inputs
+/// start from rest, turn back or go round in a circle, so that their tangent and their chord differ
+/// by more than half of the longer one, any pivot may vanish.
 template <typename Scalar, typename Inputs, typename Values>
 [[nodiscard]] PivotSet pivots_that_may_vanish(const Inputs& from, const Inputs& beside,
                                               const Inputs& to, const Values& pivots,
@@ -165,9 +166,9 @@ template <typename Model, typename Scalar>
   return keep;
 }
 
-/// Whether J may have been singular within a step: a pivot changes its sign, or may vanish as seen
-/// from both ends. The latter is so where the step has passed over a crossing of branches to the
-/// one whose pivots have the same signs, or over a gap in which nothing can be assembled.
+/// Whether J may have been singular within a step: a pivot changes its sign, or extrapolation from
+/// both ends predicts that it vanishes. The latter happens if the step has passed a crossing onto
+/// the branch whose pivots have the same signs, or a gap in which nothing can be assembled.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool may_pass_singularity(const typename Model::template Dimensions<Scalar>& d,
                                         const InputMotion<Model, Scalar>& from,

@@ -1,4 +1,4 @@
-// Turns a model whose configurations follow by formula into what is certain of all its groups.
+// Certified discriminants of models whose configurations follow in closed form.
 #pragma once
 
 #include <algorithm>
@@ -45,11 +45,11 @@ template <typename Scalar>
                                                const Discriminants<Scalar>& found) {
   using Pair = numeric::PairOf<Scalar>;
   const Scalar larger = -(T(1) + std::copysign(std::sqrt(found.discriminant), T(1))) / 2;
-  // Both roots are zero only where the discriminant is zero.
+  // Both roots are zero only if the discriminant is zero.
   return Pair(larger, T(0)) / Pair(T(2), larger);
 }
 
-/// The final polynomial of a model as its functions take it.
+/// The type of a model's final polynomial.
 template <typename Model, typename Scalar>
 using FinalPolynomial =
     std::conditional_t<is_angle<Model>(Model::first_unknown),
@@ -76,17 +76,17 @@ void widen(Vector<Scalar, Count>& T, const Scalar& error) {
   }
 }
 
-/// The longest length for which the bounds of a model, or of a specialised group, hold.
+/// The longest length for which the error bounds of a model, or of a specialised group, hold.
 template <typename Model, typename Scalar>
 inline constexpr Scalar most_length = Model::dimension_count == 0
                                           ? static_cast<Scalar>(support::most_length_of_numbers)
                                           : Scalar(1);
 
-/// Tells whether a discriminant of a model has a certain sign. The discriminant is homogeneous in
+/// A test whether a discriminant of a model has a certain sign. The discriminant is homogeneous in
 /// the lengths; that of a specialised group counts as of degree zero.
 template <typename Scalar>
 struct Certainty {
-  Scalar firmness = 0;  ///< one over the largest error where the longest length is `most_length`
+  Scalar firmness = 0;  ///< one over the largest error if the longest length is `most_length`
   int degree = 0;       ///< of the discriminant in the lengths
 
   /// A length to the power of the discriminant's degree; `square` is the length's square.
@@ -103,9 +103,9 @@ struct Certainty {
     return result;
   }
 
-  /// The largest error, times `firmness`; `square` is the square of the longest length. Where
-  /// rounding has displaced the inputs, the error grows by the displacement over the rounding that
-  /// is taken for granted. A displacement that is NaN makes it NaN.
+  /// The largest error, times `firmness`; `square` is the square of the longest length. If rounding
+  /// has displaced the inputs, the error grows by the ratio of the displacement to the assumed
+  /// rounding. A displacement that is NaN makes it NaN.
   [[nodiscard]] Scalar error(Scalar square,
                              const support::DisplacementOf<Scalar>& displaced) const {
     const Scalar error = power(square);
@@ -119,24 +119,25 @@ struct Certainty {
   }
 };
 
-/// How certain a quantity is, from the largest error that the generator has derived for double.
+/// The certainty of a quantity, from its largest error in double, which the generator has derived.
 template <typename Scalar>
 [[nodiscard]] constexpr Certainty<Scalar> certainty(double error, int degree) {
   return {static_cast<Scalar>(1 / error) / numeric::roundings_of_double<Scalar>, degree};
 }
 
-/// What is certain of all groups of a model, as the generator has derived it.
+/// Bounds that hold for all groups of a model, derived by the generator.
 template <typename Model, typename Scalar>
 struct ClosedForm {
   static constexpr Certainty<Scalar> discriminant =
       certainty<Scalar>(Model::discriminant_error, Model::discriminant_degree);
-  /// Whether no unknown is loose where the discriminant is not zero: det J is a multiple of it.
+  /// Whether a discriminant other than zero determines all unknowns: det J is a multiple of it.
   static constexpr bool determines = Model::regular_discriminant > 0;
-  /// Whether a large discriminant vouches for configurations that are regular, that differ by
-  /// Model::first_key, and that close. In float the bound that vouches for all groups exceeds the
-  /// discriminants of most groups, so each group is checked by itself.
+  /// Whether a large discriminant certifies that configurations are regular, differ in
+  /// Model::first_key, and close. In float the bound that holds for all groups exceeds the
+  /// discriminants of most, so each group is checked separately.
   static constexpr bool vouches = determines && std::is_same_v<Scalar, double>;
-  /// One over the least discriminant that has a certain sign and, if any does, vouches.
+  /// One over the least discriminant that has a certain sign and, if `vouches`, certifies the
+  /// configurations.
   static constexpr Scalar firmness =
       vouches ? 1 / (std::max)(static_cast<Scalar>(Model::discriminant_error),
                                static_cast<Scalar>(Model::regular_discriminant))
@@ -146,8 +147,8 @@ struct ClosedForm {
   static constexpr bool has_leading_coefficient =
       !is_angle<Model>(Model::first_unknown) && Model::polynomial_degree == 2;
   static constexpr bool is_scaled = Model::dimension_count > 0;
-  /// The discriminant is far from overflow and underflow if the lengths are between two to this
-  /// power and its inverse.
+  /// The discriminant neither overflows nor underflows if the lengths are between two to this power
+  /// and its inverse.
   static constexpr int most_power =
       (std::min)(32, std::numeric_limits<Scalar>::max_exponent * 7 / 16 /
                          (std::max)(1, Model::discriminant_degree));
@@ -167,7 +168,7 @@ struct ClosedForm {
   }
 };
 
-/// Whether there is a formula for a model's configurations, and a large discriminant vouches for
+/// Whether there is a formula for a model's configurations, and a large discriminant certifies
 /// them.
 template <typename Model, typename Scalar>
 inline constexpr bool vouches_for_roots = [] {

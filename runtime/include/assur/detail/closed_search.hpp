@@ -1,5 +1,5 @@
-// Turns a group whose final polynomial has one or two roots into its configurations by formula, or
-// tells that a closer look is needed.
+// Configurations in closed form of a group whose final polynomial has one or two roots; doubtful
+// groups are left to the general search.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@
 
 namespace assur::detail {
 
-/// The search by formula. It vouches for its list where the discriminant has a certain sign,
-/// however dimensions and inputs were rounded, and what it lists closes.
+/// The search by formula. Its list is certain if the discriminant has a certain sign for any
+/// rounding of dimensions and inputs, and all listed configurations close.
 template <typename Model, typename Number = double>
 class ClosedSearch {
   using Dimensions = typename Model::template Dimensions<Number>;
@@ -32,8 +32,8 @@ class ClosedSearch {
   using Displacement = support::DisplacementOf<Number>;
 
  public:
-  /// Searches a group without scaling it, which suffices for most. False if a closer look is
-  /// needed; the list is undefined then.
+  /// Searches a group without scaling it, which suffices for most. False if the list is not
+  /// certain; it is undefined then.
   [[nodiscard, gnu::flatten]] static bool list(const Dimensions& dimensions, const Inputs& inputs,
                                                const Displacement& displaced,
                                                Assemblies<Model, Number>& result) {
@@ -63,7 +63,7 @@ class ClosedSearch {
     first_of<Model>(q) = roots_of(T, found);
     const auto unsure = [&] {
       // Near the origin this is no larger than the rounding of the lengths, which every verdict
-      // counts.
+      // includes.
       const bool counts =
           displaced.moved > 0 || displaced.turned > 0 || square > 256 * of_dimensions;
       return counts ? support::unsure_jacobian<Model, Number>(dimensions, inputs, displaced) : 0;
@@ -83,8 +83,9 @@ class ClosedSearch {
     return true;
   }
 
-  /// A closer look: with bounds for these very dimensions and inputs, which are much tighter where
-  /// many lengths are multiplied, and polished. False if it cannot vouch for its list.
+  /// A more careful search: the error bounds are those for these dimensions and inputs, much
+  /// tighter if many lengths are multiplied, and configurations are polished. False if the list is
+  /// not certain.
   [[nodiscard, gnu::noinline, gnu::cold]] static bool list_polished(
       const Dimensions& dimensions, const Inputs& inputs, const Displacement& displaced,
       Assemblies<Model, Number>& result) {
@@ -117,7 +118,7 @@ class ClosedSearch {
       if (!complete<Model, Number>(d, u, q)) {
         return false;
       }
-      // Where a discriminant vouches, no other unknown can be loose.
+      // If a discriminant certifies the configurations, it determines all unknowns.
       result.regularity[index] =
           polish<Model, Number>(d, u, q, unsure, Form::determines ? 0 : loose_margin<Number>);
       if (!is_solvable(result.regularity[index])) {
@@ -140,7 +141,7 @@ class ClosedSearch {
       std::numeric_limits<Number>::max_exponent * 500 / std::numeric_limits<double>::max_exponent;
 
   /// Completes the configurations at the roots. Returns whether they close to a few roundings and
-  /// are regular for a Jacobian that is off by `unsure`. Where a discriminant vouches, they are
+  /// are regular for a Jacobian with the error `unsure`. If a discriminant certifies them, they are
   /// regular.
   template <typename ScalarDimensions, typename ScalarInputs, typename Roots, typename Unsure>
   [[nodiscard]] static bool completes(const ScalarDimensions& d, const ScalarInputs& u, Roots& q,

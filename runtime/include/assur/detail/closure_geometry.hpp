@@ -1,4 +1,4 @@
-// Turns a point near an assembly into the assembly, and an assembly into its free directions.
+// Closing a group from a nearby point, and the free directions of a configuration.
 #pragma once
 
 #include <algorithm>
@@ -17,15 +17,13 @@ using numeric::Matrix4;
 using numeric::Vector4;
 using support::FlatVariables;
 
-/// A configuration with a longer displacement, among lengths near one, counts as having run to
-/// infinity.
+/// A configuration with a longer displacement, among lengths near one, counts as infinite.
 template <typename Scalar>
 inline constexpr Scalar farthest_configuration =
     numeric::power_of_two<Scalar>(std::numeric_limits<Scalar>::digits / 2 - 2);
 
 /// The loop closures f(q) of one group in double precision, on flat unknowns: at most four closures
-/// in four unknowns. Where a group has fewer, J is filled up with the identity, which changes
-/// nothing.
+/// in four unknowns. For a group with fewer, J is padded with the identity, which changes nothing.
 struct Closures {
   void (*evaluate)(const void* group, const FlatVariables<double>& q, Vector4& f);
   void (*differentiate)(const void* group, const FlatVariables<double>& q, Matrix4& jacobian);
@@ -33,7 +31,7 @@ struct Closures {
   const ModelUnknown* unknowns;
   int size;
   double farthest;   ///< the largest coordinate among the inputs
-  double displaced;  ///< how far rounding may have displaced the inputs
+  double displaced;  ///< bound on the displacement of the inputs by rounding
   /// The longest length of the group, the unit of what follows. It may be much less than one in a
   /// specialised group.
   double longest = 1;
@@ -59,7 +57,8 @@ struct Closures {
     }
     return result;
   }
-  /// A displacement beyond the longest length is measured in parts of itself.
+  /// The unit in which a displacement is measured: the longest length, or the displacement itself
+  /// if it is longer.
   [[nodiscard]] double unit_of(double displacement) const {
     return (std::max)(longest, std::abs(displacement));
   }
@@ -91,7 +90,7 @@ struct Closures {
   void straighten(FlatVariables<double>& q) const { advance(Vector4(), q); }
 };
 
-/// The longest displacement among flat unknowns, in parts of the longest length.
+/// The longest displacement among flat unknowns, divided by the longest length.
 [[nodiscard]] inline double longest_displacement(const Closures& closures,
                                                  const FlatVariables<double>& q) {
   double longest = 0;
@@ -106,16 +105,15 @@ struct Closures {
   return longest / closures.longest;
 }
 
-/// What rounding leaves of closures among lengths of at most one: the rounding of the closures
-/// themselves, and that of the groups that were placed before.
+/// The residual that rounding leaves of closures with lengths of at most one: the rounding of the
+/// closures themselves, and that of the groups placed before.
 [[nodiscard]] inline double rounding(const Closures& closures, const FlatVariables<double>& q) {
   return 32 * std::numeric_limits<double>::epsilon() *
              (1 + closures.farthest / closures.longest + longest_displacement(closures, q)) +
          4 * closures.displaced / closures.longest;
 }
 
-/// The largest difference of two lists of unknowns; long displacements count in parts of
-/// themselves.
+/// The largest difference of two lists of unknowns, relative for long displacements.
 [[nodiscard]] inline double distance(const Closures& closures, const FlatVariables<double>& one,
                                      const FlatVariables<double>& other) {
   double largest = 0;
@@ -131,7 +129,7 @@ struct Closures {
   return largest;
 }
 
-/// A pivot below this part of the largest one is rounding.
+/// A pivot below this fraction of the largest one is due to rounding.
 inline constexpr double pivot_rounding = 4 * std::numeric_limits<double>::epsilon();
 
 /// Newton's step.
@@ -140,9 +138,9 @@ inline constexpr double pivot_rounding = 4 * std::numeric_limits<double>::epsilo
 }
 
 /// Levenberg's step, the least |J s + f|^2 + damping^2 |s|^2, from the normal equations. With the
-/// residual as damping it leads from any side onto singular assemblies and onto curves of
-/// assemblies; it has no part along directions that are below the rounding of J^2, along which it
-/// would drift.
+/// residual as damping it converges from any side to singular assemblies and to curves of
+/// assemblies; it has no component along directions below the rounding of J^2, along which it would
+/// drift.
 [[nodiscard]] inline Vector4 damped_step(const Matrix4& jacobian, const Vector4& f,
                                          double damping) {
   Matrix4 normal;
@@ -153,8 +151,8 @@ inline constexpr double pivot_rounding = 4 * std::numeric_limits<double>::epsilo
   return -1 * Elimination(normal, pivot_rounding).solve(transposed_product(jacobian, f));
 }
 
-/// Moves a point so that the closures that hold it firmly are satisfied again. Near an assembly of
-/// high multiplicity all closures nearly hold in a narrow bent valley: this leads back into it.
+/// Moves a point so that the well-conditioned closures are satisfied again. Near an assembly of
+/// high multiplicity all closures nearly hold in a narrow curved valley: this leads back into it.
 inline void restore(const Closures& closures, FlatVariables<double>& q) {
   constexpr double firm = 0.01;
   constexpr int most_steps = 3;
@@ -163,7 +161,7 @@ inline void restore(const Closures& closures, FlatVariables<double>& q) {
   }
 }
 
-/// A point on its way to an assembly.
+/// The iteration from a point to an assembly.
 class Closing {
  public:
   Closing(const Closures& closures, const FlatVariables<double>& q)
@@ -172,10 +170,10 @@ class Closing {
   [[nodiscard]] const FlatVariables<double>& point() const { return q_; }
   [[nodiscard]] double miss() const { return miss_; }
 
-  /// False where no step lessens the miss any more.
+  /// False if no step reduces the residual any further.
   bool step() {
     const Matrix4 jacobian = closures_.jacobian(q_);
-    // Where the Jacobian is nearly singular Newton's step leads anywhere.
+    // If the Jacobian is nearly singular, Newton's step is arbitrary.
     const Vector4 newton = newton_step(jacobian, f_);
     if (norm(newton) < 100 * miss_ && take(newton, 0.1)) {
       return true;
@@ -188,7 +186,7 @@ class Closing {
     }
     return !(miss_ < rounding(closures_, q_)) && norm(newton) < 0.1 && take_and_restore(newton);
   }
-  /// Newton's step if it lessens the miss at all.
+  /// Newton's step, if it reduces the residual at all.
   bool polish() { return take(newton_step(closures_.jacobian(q_), f_), 1); }
 
  private:
@@ -223,24 +221,25 @@ class Closing {
   double miss_;
 };
 
-/// Moves a point to an assembly near it, and returns the norm of the closures that is left.
+/// Moves a point to an assembly near it, and returns the norm of the remaining residual.
 inline double close(const Closures& closures, FlatVariables<double>& q) {
   constexpr int most_steps = 200;
   Closing closing(closures, q);
   if (closing.miss() < rounding(closures, q) / 8) {
-    return closing.miss();  // steps in fewer digits than the point has would only move it
+    return closing.miss();  // steps with fewer digits than the point has would only move it
   }
   for (int step = 0; step < most_steps && closing.miss() > 0 && closing.step(); ++step) {
   }
-  // What is left is rounding; two more steps make it as small as they can.
+  // The residual is at rounding level; two more steps reduce it as far as possible.
   for (int step = 0; step < 2 && closing.polish(); ++step) {
   }
   q = closing.point();
   return closing.miss();
 }
 
-/// The least norm of the closures near a point from which no assembly is reached: far from one,
-/// Gauss-Newton steps are too long unless they are damped, by about as much as the last one needed.
+/// The least norm of the closures near a point from which no assembly is reached. Far from an
+/// assembly, Gauss-Newton steps are too long unless they are damped, each by about as much as the
+/// last.
 [[nodiscard]] inline double least_miss_near(const Closures& closures, FlatVariables<double> q) {
   constexpr int most_steps = 1000;
   constexpr double stiffest = 1e8;
@@ -264,8 +263,8 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
   return norm(f);
 }
 
-/// Whether two assemblies are one that rounding keeps apart, as it does a multiple assembly: then
-/// the closures hold between the two as well.
+/// Whether two assemblies are one multiple assembly that rounding splits: then the closures also
+/// hold between the two.
 [[nodiscard]] inline bool are_one(const Closures& closures, const FlatVariables<double>& one,
                                   const FlatVariables<double>& other) {
   constexpr double close_by = 1e-2;  // a quadruple assembly is known to 1e-3
@@ -282,7 +281,7 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
     closures.straighten(point);
     return point;
   };
-  // The middle alone does not tell: a third assembly may stand there.
+  // The midpoint alone is not enough: a third assembly may lie there.
   for (const double part : {0.3, 0.5, 0.6}) {
     FlatVariables<double> point = between(part);
     restore(closures, point);
@@ -293,7 +292,7 @@ inline double close(const Closures& closures, FlatVariables<double>& q) {
   return true;
 }
 
-/// Directions in which the closures do not change to first order.
+/// Directions along which the closures do not change to first order.
 struct FreeDirections {
   int count = 0;
   Matrix4 basis;  ///< one per column; orthonormal
@@ -316,17 +315,18 @@ struct FreeDirections {
   return result;
 }
 
-/// The directions in which unknowns may leave an assembly to first order.
+/// The directions along which unknowns may leave an assembly to first order.
 [[nodiscard]] inline FreeDirections free_directions(const Closures& closures,
                                                     const FlatVariables<double>& q,
                                                     double threshold) {
   return null_space(closures.jacobian(q), threshold);
 }
 
-/// Below this a pivot belongs to an assembly at which the closures are singular: rounding of the
-/// closures moves a double one by 1e-8, a triple one by 1e-5.
+/// A pivot below this means that the closures are singular at the assembly: rounding moves a double
+/// assembly by 1e-8, a triple one by 1e-5.
 inline constexpr double singular_pivot = 1e-4;
-/// Below this a derivative has lost more than six digits, whatever the model's own pivots say.
+/// With a pivot below this a derivative has lost more than six digits, whatever the model's own
+/// pivots are.
 inline constexpr double lost_pivot = 1e-7;
 
 }  // namespace assur::detail

@@ -1,4 +1,4 @@
-// Turns a configuration whose first unknown is known into a whole one.
+// The remaining unknowns of a configuration, from the first one.
 #pragma once
 
 #include <assur/detail/index.hpp>
@@ -17,8 +17,8 @@ template <typename Model, typename Configuration>
   return std::get<size(Model::first_unknown)>(q.members());
 }
 
-/// Brings a direction back to the unit circle, to first order, as `normalised` does. Returns what
-/// its square was off by.
+/// Normalises a direction to first order, like `normalised`. Returns the error of its squared
+/// length before.
 template <typename Scalar>
 Scalar put_on_circle(Direction<Scalar>& direction) {
   const Scalar off = direction.cos * direction.cos + direction.sin * direction.sin - Scalar(1);
@@ -27,7 +27,7 @@ Scalar put_on_circle(Direction<Scalar>& direction) {
   return off;
 }
 
-/// Computes the unknowns that follow from those of the reduced equations. False where a computed
+/// Computes the remaining unknowns from those of the reduced equations. False if a computed
 /// direction is not a unit vector: a bar whose ends coincide has no direction, whatever its length.
 /// Displacements that are not finite are found when the closures are checked.
 template <typename Model, typename Scalar>
@@ -55,13 +55,13 @@ inline constexpr bool completes_angles = [] {
   return any;
 }();
 
-/// How far the square of a computed direction may be off for its link to close: the closures miss
-/// by the link's length times half of that.
+/// The largest error of the squared length of a computed direction for its link to close: the
+/// residual is the link's length times half of that error.
 template <typename Scalar>
 inline constexpr Scalar settled_direction = 8 * std::numeric_limits<Scalar>::epsilon();
 
-/// Computes the unknowns that follow at a root that is a direction to a few roundings. Returns what
-/// the squares of the other directions are off by at most.
+/// Computes the remaining unknowns at a root that is a unit vector to a few roundings. Returns the
+/// largest error of the squared lengths of the other directions.
 template <typename Model, typename Scalar>
 [[nodiscard]] Scalar complete_root(const typename Model::template Dimensions<Scalar>& d,
                                    const typename Model::template Inputs<Scalar>& u,
@@ -80,7 +80,7 @@ template <typename Model, typename Scalar>
 }
 
 /// Computes the other unknowns at a simple root of the final polynomial, with the second value that
-/// fits best. False if there is none, or if what follows is not a configuration.
+/// fits best. False if there is none, or if the result is not a configuration.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool complete(const typename Model::template Dimensions<Scalar>& d,
                             const typename Model::template Inputs<Scalar>& u,
@@ -98,8 +98,8 @@ template <typename Model, typename Scalar>
   return complete_rest<Model, Scalar>(d, u, q);
 }
 
-/// The same where the two reduced equations together determine the second unknown well. The caller
-/// has to check that the result closes.
+/// The same if the two reduced equations together determine the second unknown well. The caller
+/// must check that the result closes.
 template <typename Model, typename Scalar>
 [[nodiscard]] auto complete_simple(const typename Model::template Dimensions<Scalar>& d,
                                    const typename Model::template Inputs<Scalar>& u,

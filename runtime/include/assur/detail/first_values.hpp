@@ -1,4 +1,4 @@
-// Turns a final polynomial in double-double into the values of its unknown.
+// Roots of a final polynomial in double-double: the values of its unknown.
 #pragma once
 
 #include <algorithm>
@@ -15,15 +15,15 @@ namespace assur::detail {
 /// One real root of a final polynomial: an angle as (cos, sin), or a displacement in `cos`.
 struct FirstValue {
   numeric::DoubleDouble cos, sin;
-  bool simple = true;  ///< otherwise several roots that could not be told apart
+  bool simple = true;  ///< otherwise several roots that could not be separated
 };
 
 struct FirstValues {
   std::array<FirstValue, 6> list;
   std::size_t count = 0;
-  /// No coefficient exceeds its error: the first unknown is free, or nothing is known of it.
+  /// No coefficient exceeds its error: the first unknown is free or undetermined.
   bool vanishing = false;
-  /// No root has run to infinity.
+  /// No root is infinite.
   bool finite = true;
 
   /// Whether every root is certainly a simple one.
@@ -40,8 +40,8 @@ struct FirstValues {
   }
 };
 
-/// The values x at which T = c0 + c1 cos x + s1 sin x vanishes, by formula. Where T may touch zero
-/// or miss it, the value at which it comes nearest.
+/// The values x at which T = c0 + c1 cos x + s1 sin x vanishes, by formula. If it is uncertain
+/// whether T reaches zero, the value at which |T| is least.
 [[nodiscard]] inline FirstValues first_values_of_first_degree(
     const TrigonometricPolynomial<numeric::Bounded<numeric::DoubleDouble>, 1>& T) {
   using numeric::DoubleDouble;
@@ -101,8 +101,8 @@ template <std::size_t Degree>
   }
 }
 
-/// The values at which a polynomial of degree one or two in a displacement vanishes. A leading
-/// coefficient that may be zero lets a root run to infinity, and what is left has one root less.
+/// The roots of a polynomial of degree one or two in a displacement. If the leading coefficient may
+/// be zero, one root counts as infinite and is left out.
 template <int Size>
 [[nodiscard]] FirstValues first_values(
     const Vector<numeric::Bounded<numeric::DoubleDouble>, Size>& bounded) {

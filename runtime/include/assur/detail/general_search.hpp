@@ -1,4 +1,5 @@
-// Turns a group in general position into its configurations, or tells that it may not be in one.
+// Configurations of a group in general position; groups that may not be in general position are
+// reported.
 #pragma once
 
 #include <algorithm>
@@ -22,9 +23,9 @@ namespace assur::detail {
 
 /// The search for the configurations of a group whose longest length is near one. It works in the
 /// precision of the scalar; `Work`, the scalar of the polynomial and its roots, may have more
-/// digits. The search vouches for its list where every root of the final polynomial is certainly
-/// simple, however dimensions and inputs were rounded, and completes to a configuration that
-/// closes: a simple root belongs to one configuration at most.
+/// digits. The list is certain if every root of the final polynomial is certainly simple, for any
+/// rounding of dimensions and inputs, and completes to a configuration that closes: a simple root
+/// belongs to at most one configuration.
 template <typename Model, typename Scalar, typename Work>
 class GeneralSearch {
   using Dimensions = typename Model::template Dimensions<Scalar>;
@@ -32,8 +33,8 @@ class GeneralSearch {
   using Configuration = typename Model::template Configuration<Scalar>;
 
  public:
-  /// `displaced` is how far rounding has moved the inputs, as it counts for the list; `off` is the
-  /// same, as it counts for the verdicts. In float `displaced` counts for both.
+  /// `displaced` bounds the displacement of the inputs by rounding for the certainty of the list,
+  /// `off` for the verdicts on regularity. In float `displaced` is used for both.
   GeneralSearch(const Dimensions& d, const Inputs& u, Scalar displaced, Scalar off,
                 Assemblies<Model, Scalar>& result)
       : d_(d),
@@ -42,7 +43,7 @@ class GeneralSearch {
         off_(std::is_same_v<Scalar, float> ? displaced : off),
         result_(result) {}
 
-  /// False if it cannot vouch for its list.
+  /// False if the list is not certain.
   [[nodiscard]] bool run() {
     static_assert(is_angle<Model>(Model::first_unknown),
                   "a polynomial in a displacement is of second degree at most");
@@ -59,8 +60,7 @@ class GeneralSearch {
       return false;
     }
     const Scalar longest = (std::max)(Scalar(1), longest_length(u_));
-    // The Jacobian is as unsure as the coordinates are, in parts of the group's length, which is
-    // near one.
+    // The Jacobian has the relative error of the coordinates; the group's length is near one.
     const Scalar unsure = (std::max)(off_, std::numeric_limits<Scalar>::epsilon() * longest);
     for (std::size_t root = 0; root < roots.root_count; ++root) {
       if (!accept({Scalar(roots.roots[root].cosine), Scalar(roots.roots[root].sine)}, longest,

@@ -1,4 +1,4 @@
-// Turns an int, by which generated tables count, into the entry of a table that it names.
+// Access to arrays by the int indices of generated tables.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ template <typename Array>
   return array[static_cast<std::size_t>(index)];
 }
 
-/// A count of a generated model as std::array takes it.
+/// A count of a generated model as std::size_t, for std::array.
 [[nodiscard]] constexpr std::size_t size(int count) { return static_cast<std::size_t>(count); }
 
 /// Whether an unknown of a model is an angle in radians; otherwise it is a length.

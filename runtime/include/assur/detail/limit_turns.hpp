@@ -1,4 +1,4 @@
-// Turns a Newton step into one that its linearisation can answer for.
+// Limit on the rotations in a Newton step, within which its linearisation is useful.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 namespace assur::detail {
 
 /// Shortens a Newton step that turns a link too far for its linearisation. The whole step is scaled
-/// so that angles move by at most half a radian, where angles with short levers count less. The
-/// turn of a link with short levers moves no joint far and need not hold back the others; it is cut
+/// so that angles move by at most half a radian; angles of links with short levers have less
+/// weight. Such a link's turn moves no joint far and should not limit the others; it is limited
 /// alone.
 template <typename Model, typename Scalar>
 void limit_turns(const Matrix<Scalar, Model::equation_count, Model::unknown_count>& jacobian,

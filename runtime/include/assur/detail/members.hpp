@@ -1,4 +1,4 @@
-// Turns the members of a model's variables into arguments, one at a time and in pairs.
+// Visitors of the members of a model's variables, one list at a time or two in parallel.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 
 namespace assur::detail {
 
-// Members are visited by indices, not by nested calls of std::apply: every model has variables of
-// its own, and what is instantiated for each of them is most of what its users compile.
+// Members are visited by index, not by nested calls of std::apply, which would be instantiated for
+// the variables of every model and dominate the compile time of its users.
 template <typename Members, typename Use, std::size_t... Index>
 [[gnu::always_inline]] constexpr void visit(Members&& members, Use&& use,
                                             std::index_sequence<Index...>) {
@@ -52,7 +52,7 @@ template <typename Scalar>
   return is_finite_number(direction.cos) && is_finite_number(direction.sin);
 }
 
-/// Neither NaN nor infinite, for scalars that have no isfinite of their own.
+/// Whether a number is neither NaN nor infinite, also for scalars without isfinite.
 template <typename Scalar>
 [[nodiscard]] bool is_number(const Scalar& value) {
   return value - value == Scalar(0);  // NOLINT(misc-redundant-expression): it tells NaN
@@ -79,8 +79,8 @@ template <typename Scalar>
   return std::atan2(from.cos * to.sin - from.sin * to.cos, from.cos * to.cos + from.sin * to.sin);
 }
 
-/// Where a variable would be after a whole step if it went on as in a part of it; a direction's
-/// cosine and sine go along straight lines.
+/// A variable extrapolated linearly from a part of a step to the whole step; so are a direction's
+/// cosine and sine.
 template <typename Scalar>
 [[nodiscard]] inline Scalar extrapolated(Scalar from, Scalar beside, Scalar part) {
   return from + (beside - from) / part;

@@ -1,4 +1,5 @@
-// Turns an assembly in which several meet, known to a root of rounding, into the point of meeting.
+// Refinement of a multiple assembly, at which several assemblies meet and which rounding displaces
+// by a root of epsilon.
 #pragma once
 
 #include <algorithm>
@@ -11,13 +12,13 @@
 namespace assur::detail {
 
 /// The curve through a singular assembly along which all closures hold but one: with n the one free
-/// direction and w the part of the closures that does not change to first order, f(q(t)) = g(t) w,
-/// where t is the way along n. As many assemblies meet as the order of the zero of g. Rounding of f
-/// leaves a zero of order m known to the m-th root of rounding; derivatives of f are known to
-/// rounding, and a derivative of g has a simple zero there.
+/// direction and w the component of the closures that does not change to first order, f(q(t)) =
+/// g(t) w, where t is the distance along n. The order of the zero of g is the number of assemblies
+/// that meet. Rounding of f displaces a zero of order m by the m-th root of epsilon; derivatives of
+/// f are known to rounding, and a derivative of g has a simple zero there.
 class FreeCurve {
  public:
-  /// Requires one free direction, and one such part.
+  /// Requires one free direction n, and one such component w.
   FreeCurve(const Closures& closures, const FlatVariables<double>& q,
             const FreeDirections& directions, const FreeDirections& parts)
       : closures_(closures),
@@ -25,7 +26,7 @@ class FreeCurve {
         along_(directions.basis.column(0)),
         part_(parts.basis.column(0)) {}
 
-  /// A point of the curve. Newton's steps across the curve restore the other closures.
+  /// A point of the curve. Newton's steps normal to the curve restore the other closures.
   [[nodiscard]] FlatVariables<double> at(double t) const {
     constexpr int steps = 4;
     FlatVariables<double> q = origin_;
@@ -39,13 +40,13 @@ class FreeCurve {
     return q;
   }
 
-  /// dg/dt at a point of the curve, times a smooth function that is positive.
+  /// dg/dt at a point of the curve, times a smooth positive function.
   [[nodiscard]] double slope(const FlatVariables<double>& q) const {
     return 1 / dot(along_, bordered(q).solve(part_)) - 1;
   }
 
  private:
-  /// J + w n^T, which is regular where J is free along n alone.
+  /// J + w n^T, which is regular if n alone spans the null space of J.
   [[nodiscard]] Elimination bordered(const FlatVariables<double>& q) const {
     Matrix4 jacobian = closures_.jacobian(q);
     for (int column = 0; column < 4; ++column) {
@@ -59,7 +60,7 @@ class FreeCurve {
   Vector4 along_, part_;
 };
 
-/// The coefficients of the polynomial through values at places.
+/// The coefficients of the polynomial through given points.
 template <std::size_t Count>
 [[nodiscard]] std::array<double, Count> interpolated(const std::array<double, Count>& places,
                                                      const std::array<double, Count>& values) {
@@ -80,7 +81,7 @@ template <std::size_t Count>
   return coefficients;
 }
 
-/// The coefficients of the same polynomial about another place.
+/// The coefficients of the same polynomial about another point.
 template <std::size_t Count>
 [[nodiscard]] std::array<double, Count> shifted(std::array<double, Count> coefficients, double by) {
   for (std::size_t least = 0; least + 1 < Count; ++least) {
@@ -91,8 +92,8 @@ template <std::size_t Count>
   return coefficients;
 }
 
-/// The way along the curve to the place where most assemblies meet, if rounding may change g by
-/// `unsure`: where m meet, g is c t^m over the distance at which rounding keeps them apart.
+/// The distance along the curve to the point where most assemblies meet, if rounding may change g
+/// by `unsure`: where m meet, g is c t^m over the distance by which rounding separates them.
 [[nodiscard]] inline double way_to_meeting(const FreeCurve& curve, double unsure) {
   constexpr std::size_t count = 9;
   constexpr double reach = 0.06;
@@ -127,8 +128,8 @@ template <std::size_t Count>
   return 0;
 }
 
-/// Moves an assembly that stands alone, in which several meet, to where they do, if the closures
-/// hold there too.
+/// Moves an isolated multiple assembly to the point where its assemblies meet, if the closures also
+/// hold there.
 inline void settle(const Closures& closures, FlatVariables<double>& q) {
   constexpr int most_steps = 4;
   FlatVariables<double> settled = q;

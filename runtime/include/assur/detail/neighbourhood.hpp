@@ -1,4 +1,4 @@
-// Turns a singular assembly into the number of its freedoms, which is zero where it stands alone.
+// Mobility of a singular assembly; zero if it is isolated.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace assur::detail {
 
-/// d2f along a direction: how the closures bend.
+/// d2f along a direction: the curvature of the closures.
 [[nodiscard]] inline Vector4 bend(const Closures& closures, const FlatVariables<double>& q,
                                   const Vector4& along) {
   constexpr double step = 0x1p-10;
@@ -19,7 +19,7 @@ namespace assur::detail {
   return 1 / (step * step) * (closures.at(ahead) + closures.at(behind) - 2 * closures.at(q));
 }
 
-/// The step that leads from one list of unknowns to another, for small ones.
+/// The step from one list of unknowns to another, if it is small.
 [[nodiscard]] inline Vector4 step_between(const Closures& closures,
                                           const FlatVariables<double>& from,
                                           const FlatVariables<double>& to) {
@@ -37,10 +37,10 @@ namespace assur::detail {
   return step;
 }
 
-/// What surrounds a singular assembly: the directions in which others lie close by.
+/// The neighbourhood of a singular assembly: the directions in which other assemblies lie.
 class Neighbourhood {
  public:
-  /// Looks for assemblies at the distance `reach`, in parts of the longest length or in radians.
+  /// Looks for assemblies at the distance `reach`, relative to the longest length or in radians.
   Neighbourhood(const Closures& closures, const FlatVariables<double>& q, double reach)
       : closures_(closures), reach_(reach), free_(free_directions(closures, q, singular_pivot)) {
     for (int one = 0; one < free_.count; ++one) {
@@ -51,15 +51,15 @@ class Neighbourhood {
     }
   }
 
-  /// How many of the directions are independent: the dimension of the family, or zero.
+  /// The number of independent directions: the dimension of the family, or zero.
   [[nodiscard]] int dimension() const { return dimension_; }
-  /// An assembly close by, singular as well; requires dimension() > 0.
+  /// A neighbouring assembly, also singular; requires dimension() > 0.
   [[nodiscard]] const FlatVariables<double>& neighbour() const { return neighbour_; }
 
  private:
-  /// Tries directions in the plane of two free ones: those in which a part of the closures that
-  /// does not change to first order does not bend either, A c^2 + B c s + C s^2 = 0, and some
-  /// between.
+  /// Tries directions in the plane of two free ones: those along which a component of the closures
+  /// that does not change to first order does not change to second order either, A c^2 + B c s + C
+  /// s^2 = 0, and some between.
   void try_plane(const FlatVariables<double>& q, const Vector4& one, const Vector4& other) {
     const auto at_angle = [&](double angle) {
       try_both_ways(q, std::cos(angle) * one + std::sin(angle) * other);
@@ -92,8 +92,8 @@ class Neighbourhood {
     for (const double way : {reach_, -reach_}) {
       FlatVariables<double> to = q;
       closures_.advance(way * along, to);
-      // If the group is displaced, a family closes to within rounding everywhere and exactly in a
-      // few places; steps that lessen what is below rounding would lead to these.
+      // If the group is displaced, a family closes to within rounding everywhere and exactly at a
+      // few points; reducing the residual below rounding would lead to these.
       restore(closures_, to);
       double miss = norm(closures_.at(to));
       if (!(miss < rounding(closures_, to))) {
@@ -109,7 +109,7 @@ class Neighbourhood {
         const Vector4& tangent = tangents_.column(known);
         step = step - dot(tangent, step) * tangent;
       }
-      // A single curve bends by less than that.
+      // A single curve deviates by less than that.
       if (dimension_ < free_.count && norm(step) > 0.35 * length) {
         neighbour_ = to;
         tangents_.column(dimension_) = normalised(step);
@@ -126,10 +126,10 @@ class Neighbourhood {
   int dimension_ = 0;
 };
 
-/// The number of freedoms of a singular assembly; zero for one that stands alone. They are counted
-/// at a neighbour, because where families cross the assembly itself has the free directions of all
-/// of them. They are counted at another distance, at which the assembly itself is not found again:
-/// two assemblies that stand alone are no family.
+/// The mobility of a singular assembly; zero if it is isolated. It is counted at a neighbour,
+/// because an assembly at which families cross has the free directions of all of them; and at
+/// another distance, at which the assembly itself is not found again: two isolated assemblies are
+/// no family.
 [[nodiscard]] inline int mobility_at(const Closures& closures, const FlatVariables<double>& q) {
   const Neighbourhood here(closures, q, 0.02);
   return here.dimension() == 0 ? 0 : Neighbourhood(closures, here.neighbour(), 0.05).dimension();

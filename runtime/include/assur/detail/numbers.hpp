@@ -1,5 +1,5 @@
-// Turns a model's variables into the numbers of which they consist in memory: a loop over their
-// members would be compiled anew for every model.
+// A model's variables as the numbers of which they consist in memory: a loop over their members
+// would be compiled anew for every model.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ inline constexpr bool is_direction = false;
 template <typename Scalar>
 inline constexpr bool is_direction<Direction<Scalar>> = true;
 
-/// What the members of variables are, and the numbers that they consist of.
+/// The sorts of the members of variables, and of the numbers in them.
 template <typename Members>
 struct Sorts;
 template <typename... Members>

@@ -1,5 +1,5 @@
-// The pivots of a model's structured elimination, and what they tell of a configuration and of the
-// way to another.
+// Pivots of a model's structured elimination: regularity of a configuration, and singularities
+// between two.
 #pragma once
 
 #include <assur/model.hpp>
@@ -11,8 +11,8 @@
 
 namespace assur::detail {
 
-/// The pivots at a configuration, what each could be at most, and the size of the terms of the
-/// core's determinant.
+/// The pivots at a configuration, the upper bound of each, and the size of the terms of the core's
+/// determinant.
 template <typename Model, typename Scalar>
 struct Pivots {
   Vector<Scalar, Model::pivot_count> values;
@@ -33,10 +33,10 @@ template <typename Model, typename Scalar>
 using support::derivative_rounding;
 using support::regular_error;
 
-/// What the pivots tell, in parts of what they could be at most.
+/// Measures from the pivots, relative to their upper bounds.
 template <typename Scalar>
 struct Firmness {
-  Scalar kept;      ///< the core's determinant, in parts of the size of its terms
+  Scalar kept;      ///< the core's determinant, divided by the size of its terms
   Scalar core;      ///< the product of the core's pivots
   Scalar other;     ///< the smallest of the others
   int weakest = 0;  ///< index in Model::pivots of the pivot nearest to zero
@@ -66,8 +66,8 @@ template <typename Model, typename Scalar>
   return result;
 }
 
-/// `rounding` is the relative error of what the pivots are computed from, with all constants. The
-/// product of the core's pivots counts, and the smallest of the others.
+/// `rounding` is the relative error of the quantities from which the pivots are computed, constants
+/// included. The result depends on the product of the core's pivots and the smallest of the others.
 template <typename Scalar>
 [[nodiscard]] Regularity<Scalar> regularity_of(const Firmness<Scalar>& pivots,
                                                const Scalar& rounding) {
@@ -86,7 +86,8 @@ template <typename Scalar>
   return result;
 }
 
-/// Whether `regularity_of` says ok, without a division: every other pivot is tried as the smallest.
+/// Whether `regularity_of` returns ok, without a division: every other pivot is tried as the
+/// smallest.
 template <typename Model, typename Scalar, typename Rounding>
 [[nodiscard]] auto are_regular(const Pivots<Model, Scalar>& pivots, const Rounding& rounding) {
   auto core = Scalar(regular_error<typename numeric::PartOf<Scalar>::Type>);
@@ -110,7 +111,7 @@ template <typename Model, typename Scalar>
   return static_cast<bool>(are_regular<Model>(pivots, rounding));
 }
 
-/// Whether second rates keep as many digits, too, whichever inputs move: they divide by the
+/// Whether second rates also have as many digits, for any motion of the inputs: they divide by the
 /// firmness once more (see `second_rate_error`). Without a division, as above.
 template <typename Model, typename Scalar>
 [[nodiscard]] auto is_firm(const Pivots<Model, Scalar>& pivots, const Scalar& rounding) {
@@ -145,9 +146,9 @@ template <typename Values>
   return changed;
 }
 
-/// The pivots that vanish within twice a step, if they go on as they begin: `beside` are those
-/// where the step has gone by `part` of it. Twice, since a pivot may vanish close to the step's
-/// end, and what it will be there is known but for the square of the step.
+/// The pivots that vanish within twice a step by linear extrapolation; `beside` are the pivots
+/// after the fraction `part` of the step. Twice, since a pivot may vanish close to the step's end,
+/// where the extrapolation has an error of the square of the step.
 template <typename Values>
 [[nodiscard]] PivotSet vanishing_pivots(const Values& at, const Values& beside,
                                         typename Values::Scalar part) {

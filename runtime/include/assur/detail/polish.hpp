@@ -1,4 +1,4 @@
-// Turns a configuration that nearly closes into one that closes to a few roundings.
+// Newton polishing of a nearly closed configuration to a few roundings.
 #pragma once
 
 #include <algorithm>
@@ -40,7 +40,7 @@ template <typename Model, typename Scalar, typename Square>
 }
 
 /// Whether a configuration is regular. `unsure` is the error of the inputs, relative to the pivots;
-/// the error of rounding is added.
+/// the rounding error is added.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool is_regular(const typename Model::template Dimensions<Scalar>& d,
                               const typename Model::template Inputs<Scalar>& u,
@@ -50,17 +50,17 @@ template <typename Model, typename Scalar>
                            derivative_rounding<typename numeric::PartOf<Scalar>::Type>() + unsure);
 }
 
-/// A root that is certainly simple may yet leave another unknown loose, which then may move freely,
-/// as a link between parallel slides does. The pivot of this unknown is of the order of rounding,
+/// Even at a root that is certainly simple another unknown may be undetermined, and the link may
+/// move freely, as between parallel slides. The pivot of this unknown is of the order of rounding,
 /// and the margin of the order of its square.
 template <typename Scalar>
 inline constexpr Scalar loose_margin =
     Scalar(1e5) * std::numeric_limits<Scalar>::epsilon() * std::numeric_limits<Scalar>::epsilon();
 
-/// Takes Newton's steps as long as they lessen a residual above rounding. The longest length is
-/// near one; where a displacement is longer, its rounding ends the steps. Returns `no_convergence`
+/// Takes Newton's steps as long as they reduce a residual above rounding. The longest length is
+/// near one; if a displacement is longer, its rounding ends the iteration. Returns `no_convergence`
 /// if the closures do not hold then, or if the configuration is not finite; `singular` if its
-/// margin is below `least_margin`; else ok or near_singular, for a Jacobian that is already off by
+/// margin is below `least_margin`; otherwise ok or near_singular, for a Jacobian with the error
 /// `unsure`.
 template <typename Model, typename Scalar>
 [[nodiscard, gnu::noinline]] Status polish(const typename Model::template Dimensions<Scalar>& d,
@@ -99,7 +99,8 @@ template <typename Model, typename Scalar>
   return jacobian.status() == Status::ok ? Status::ok : Status::near_singular;
 }
 
-/// Whether two roots polish to one configuration, so that one of them was completed wrongly.
+/// Whether polishing leads from two roots to one configuration, so that one of them was completed
+/// wrongly.
 template <typename Model, typename Scalar>
 [[nodiscard]] bool has_twins(const Assemblies<Model, Scalar>& found) {
   for (int index = 1; index < found.count; ++index) {
@@ -107,7 +108,8 @@ template <typename Model, typename Scalar>
       const auto largest = farthest_apart<Scalar>(
           &entry(found.configurations, index), &entry(found.configurations, other),
           SortsOf<typename Model::template Configuration<Scalar>>::count);
-      // This is 1e-7 in double, and as many times the root of rounding in another scalar.
+      // This is 1e-7 in double, and the same multiple of the square root of epsilon in another
+      // scalar.
       if (largest < static_cast<Scalar>(1e-7 * 0x1p26) * numeric::half_of_digits<Scalar>) {
         return true;
       }

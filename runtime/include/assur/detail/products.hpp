@@ -1,5 +1,5 @@
-// Turns small matrices into products and inverses, without the checks at run time that Eigen's
-// have: a check that can fail links the functions that end a program.
+// Products and inverses of small matrices without Eigen's run-time checks, which would link
+// functions that abort the program.
 #pragma once
 
 #include <assur/model.hpp>
@@ -22,7 +22,7 @@ template <typename Scalar, int Rows, int Inner, int Columns>
   return result;
 }
 
-/// The inverse of a matrix of one or two rows; infinite or NaN where there is none.
+/// The inverse of a matrix of one or two rows; infinite or NaN if there is none.
 template <typename Scalar, int Rows>
 void invert(const Matrix<Scalar, Rows, Rows>& matrix, Matrix<Scalar, Rows, Rows>& inverse) {
   static_assert(Rows == 1 || Rows == 2, "larger groups have an inverse of their own");

@@ -1,5 +1,5 @@
-// Turns options of a compiler, where it tells of them, under which no error bound and no test for
-// NaN holds into an error. numeric/arithmetic.hpp finds the others when a program runs.
+// Compile-time errors for reported compiler options under which neither error bounds nor tests for
+// NaN hold. numeric/arithmetic.hpp finds the others at run time.
 #pragma once
 
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) || \

@@ -1,9 +1,8 @@
-// Turns a configuration that its pivots call near-singular into how far rounding moves its
-// derivatives.
+// A sharper estimate of the errors of derivatives, for configurations that their pivots call
+// near-singular.
 //
-// The margin of the pivots multiplies the firmness of parts that need not fail together, so for
-// larger groups it is a hundred times too cautious. Double has digits to spare for that, float has
-// none.
+// The margin of the pivots is a product of factors that need not be small together, so for larger
+// groups it is a hundred times too cautious. Double has digits to spare for that, float has none.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +20,7 @@
 
 namespace assur::detail {
 
-/// What polishing may leave of closures whose longest number is `longest`.
+/// The residual that polishing may leave of closures whose longest number is `longest`.
 template <typename Scalar>
 [[nodiscard]] Scalar polished_rounding(Scalar longest) {
   return 18 * std::numeric_limits<Scalar>::epsilon() * longest;
@@ -29,12 +28,12 @@ template <typename Scalar>
 
 /// A residual of some epsilons in a closure f_i moves the configuration by dq = J^-1 df and the
 /// derivatives J^-1 c by J^-1 (J_q dq) J^-1 c; rounding of J moves them by |J^-1| |J| |J^-1|. The
-/// elimination knows the unknowns of the core to a few epsilons over what its determinant keeps of
-/// its terms; the others are differences of these over pivots outside the core, of which the
-/// smallest counts. The margin, too, has each of these two factors, beside the firmness. Lengths
-/// count in parts of the group's longest. The changes by all closures add up, in parts of the
-/// largest entry of J^-1 among unknowns of one unit. `displaced` has its meaning in `regularity`.
-/// Sets the status, the firmness, and the rounding from which `error` follows.
+/// elimination determines the core's unknowns to a few epsilons over the ratio of the core's
+/// determinant to the size of its terms; the others are differences of these divided by pivots
+/// outside the core, of which the smallest counts. The margin has both of these factors, besides
+/// the firmness. Lengths are divided by the group's longest. The changes by all closures add up,
+/// relative to the largest entry of J^-1 among unknowns of one unit. `displaced` as in
+/// `regularity`. Sets the status, the firmness, and the rounding from which `error` follows.
 template <typename Model, typename Scalar>
 void look_again(const typename Model::template Dimensions<Scalar>& d,
                 const typename Model::template Inputs<Scalar>& u,
@@ -109,7 +108,7 @@ void look_again(const typename Model::template Dimensions<Scalar>& d,
         Scalar sum(0);
         for (int column = 0; column < size; ++column) {
           largest = (std::max)(largest, sizes(row, column));
-          // NaN is an error of any size.
+          // NaN counts as an unbounded error.
           farthest = !(change(row, column) <= farthest) ? change(row, column) : farthest;
           sum += sizes(row, column);
         }
@@ -126,15 +125,15 @@ void look_again(const typename Model::template Dimensions<Scalar>& d,
   }
 }
 
-/// Whether the closures of a model are those of a group's loops, which are lengths. Closures that a
-/// user types may have any unit.
+/// Whether the closures of a model are those of a group's loops, which are lengths. Closures typed
+/// by a user may have any unit.
 template <typename Model, typename = void>
 inline constexpr bool closes_loops = false;
 template <typename Model>
 inline constexpr bool closes_loops<Model, std::void_t<decltype(Model::max_configurations)>> = true;
 
-/// The regularity of a configuration by its pivots and, in float, by a second look where these do
-/// not call it regular.
+/// The regularity of a configuration by its pivots and, in float, if these do not call it regular,
+/// by `look_again`.
 template <typename Model, typename Scalar>
 [[nodiscard, gnu::always_inline]] inline Regularity<Scalar> regularity_at(
     const Pivots<Model, Scalar>& pivots, const typename Model::template Dimensions<Scalar>& d,

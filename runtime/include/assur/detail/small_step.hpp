@@ -1,4 +1,4 @@
-// Turns a configuration by a small step, without trigonometric functions.
+// Small steps of a configuration without trigonometric functions.
 #pragma once
 
 #include <assur/directions.hpp>
@@ -9,7 +9,7 @@
 
 namespace assur::detail {
 
-/// Lengths grow by the step, angles turn by nearly as much.
+/// Adds the step to lengths, and turns angles by nearly the step.
 template <typename Model, typename Scalar>
 void nudge(typename Model::template Configuration<Scalar>& q,
            const Vector<Scalar, Model::unknown_count>& step) {

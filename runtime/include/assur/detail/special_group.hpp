@@ -1,4 +1,4 @@
-// Turns a model into the functions that the search in special position calls.
+// Adapter from a model to the functions that the search in special position calls.
 #pragma once
 
 #include <assur/assemblies.hpp>
@@ -17,7 +17,7 @@ namespace assur::detail {
 
 using CertifiedVariables = FlatVariables<numeric::Bounded<numeric::DoubleDouble>>;
 
-/// Variables that are known to `within`.
+/// Variables with the error bound `within`.
 [[nodiscard]] inline CertifiedVariables in_bounds(const PreciseVariables& variables,
                                                   double within) {
   CertifiedVariables result;
@@ -27,8 +27,8 @@ using CertifiedVariables = FlatVariables<numeric::Bounded<numeric::DoubleDouble>
   return result;
 }
 
-/// Lists a completion, if it is finite. Where a direction or a displacement is not determined, for
-/// a bar of no length or between parallel slides, the search may start from any.
+/// Lists a completion, if it is finite. If a direction or a displacement is not determined, for a
+/// bar of zero length or between parallel slides, the search may start from any.
 inline void add_completion(const PreciseVariables& q, const ModelUnknown* unknowns, int count,
                            Completions& completions) {
   FlatVariables<double>& found = completions.list[completions.count];
@@ -75,7 +75,7 @@ class SpecialGroupOf {
     const SpecialGroup group = functions();
     return SpecialSearch<SpecialGroup>(group, flat_d_, flat_u_).run();
   }
-  /// The amount by which the closures fail at least where the group cannot be assembled.
+  /// The least closure gap of a group that cannot be assembled.
   [[nodiscard]] double least_miss() const {
     const SpecialGroup group = functions();
     return SpecialSearch<SpecialGroup>(group, flat_d_, flat_u_).least_miss();
@@ -190,8 +190,8 @@ class SpecialGroupOf {
 };
 
 /// Lists the assemblies of a group that may be in special position. An assembly is marked
-/// near_singular where the closures are singular, or where it is not regular for a Jacobian that is
-/// already off by `unsure`; a family of assemblies sets the mobility.
+/// near_singular if the closures are singular, or if it is not regular for a Jacobian with the
+/// error `unsure`; a family of assemblies sets the mobility.
 template <typename Model>
 void search_in_special_position(const typename Model::template Dimensions<double>& d,
                                 const typename Model::template Inputs<double>& u, double displaced,

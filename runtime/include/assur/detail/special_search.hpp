@@ -1,13 +1,13 @@
-// Turns a group in special position into its isolated assemblies and the mobility of its families.
+// Isolated assemblies of a group in special position, and the mobility of its families.
 //
-// Where the final polynomial has multiple roots, a root at infinity, or no coefficient at all, its
-// roots do not tell the assemblies: several may share a root, and a root may belong to none. But
-// every regular assembly persists when dimensions and inputs are moved a little, and in general
-// position the polynomial tells them all. So the group is moved a little in several directions and
-// back and forth, each neighbour is solved in double-double, and what is found is closed again on
-// the equations of the group itself. What does not close there has run to infinity. Where the
-// closures are singular, a fold opens on at least one side of each direction; an assembly that
-// closes along a curve moves freely.
+// If the final polynomial has multiple roots, a root at infinity, or vanishes altogether, its roots
+// do not determine the assemblies: several may share a root, and a root may belong to none. But
+// every regular assembly persists under a small perturbation of dimensions and inputs, and in
+// general position the polynomial yields them all. So dimensions and inputs are perturbed in
+// several directions, in both senses; each neighbour is solved in double-double, and its assemblies
+// are closed again on the equations of the group itself. Those that do not close there have gone to
+// infinity. At a singular assembly a fold opens on at least one side of each direction; an assembly
+// that closes along a curve moves freely.
 #pragma once
 
 #include <algorithm>
@@ -26,25 +26,26 @@ namespace assur::detail {
 
 using PreciseVariables = FlatVariables<numeric::DoubleDouble>;
 
-/// Assemblies that one value of the first unknown completes to; the best second value comes first.
+/// Assemblies that have one value of the first unknown; the best second value comes first.
 struct Completions {
   std::array<FlatVariables<double>, 4> list;
   std::size_t count = 0;
 };
 
-/// What the search needs of a model, on flat variables. Lengths are near one at most.
+/// The functions of a model that the search calls, on flat variables. Lengths are about one at
+/// most.
 struct SpecialGroup {
   Closures closures;
   /// Whether each variable is an angle.
   const bool* dimensions;
   const bool* inputs;
   std::size_t dimension_count, input_count;
-  /// Whether dimensions are numbers in the functions, which cannot be moved.
+  /// Whether dimensions are numbers in the functions, which cannot be perturbed.
   bool is_specialised;
   double rounding_of_inputs;
   bool first_is_angle;
-  /// Finds the roots that are certain if every input is known to `within` and every dimension to a
-  /// rounding.
+  /// Finds the roots that are certain if every input has the error `within` and every dimension is
+  /// rounded.
   FirstValues (*first_values)(const PreciseVariables& d, const PreciseVariables& u, double within);
   Completions (*complete)(const PreciseVariables& d, const PreciseVariables& u,
                           const FirstValue& first);
@@ -56,7 +57,7 @@ struct SpecialAssemblies {
   std::array<FlatVariables<double>, capacity> list;
   std::array<bool, capacity> singular{};
   std::size_t count = 0;
-  int mobility = 0;  ///< of the freest family found; zero if there is none
+  int mobility = 0;  ///< the greatest of a family found; zero if there is none
 };
 
 template <typename Group>
@@ -67,14 +68,14 @@ class SpecialSearch {
 
   [[nodiscard]] SpecialAssemblies run();
 
-  /// The amount by which the closures fail at least, as far as a search from some places tells.
+  /// The least closure gap, by a search from several starts.
   [[nodiscard]] double least_miss();
 
  private:
   static constexpr int directions = 5;
 
-  /// Whether double-double determines all assemblies: every root is simple, however the variables
-  /// were rounded, and its best completion closes.
+  /// Whether double-double determines all assemblies: every root is simple for any rounding of the
+  /// variables, and its best completion closes.
   [[nodiscard]] bool is_general(const FirstValues& values) {
     if (!values.certain()) {
       return false;
@@ -103,8 +104,8 @@ class SpecialSearch {
     return true;
   }
 
-  /// Tries the second value that fits best at every root before the others: its completion is known
-  /// to more digits than theirs.
+  /// Tries the best second value at every root before the others: its completion has more digits
+  /// than theirs.
   void try_all(const PreciseVariables& d, const PreciseVariables& u, const FirstValues& values) {
     std::array<Completions, 6> found;
     for (std::size_t index = 0; index < values.count; ++index) {
@@ -120,7 +121,7 @@ class SpecialSearch {
     }
   }
 
-  /// Completes values of the first unknown that no design would have.
+  /// Completes arbitrary values of the first unknown, which no design would have.
   template <typename Use>
   void for_each_sample(const Use& use) const {
     const int samples = group_.is_specialised ? 48 : 12;
@@ -162,8 +163,8 @@ class SpecialSearch {
     }
   }
 
-  /// Moves every variable by up to `reach`, a length by that part of the group's longest and an
-  /// angle by that turn.
+  /// Perturbs every variable by up to `reach`: a length relative to the group's longest, an angle
+  /// in radians.
   void displace(const bool* is_angle, std::size_t count, double reach, PreciseVariables& flat) {
     using numeric::DoubleDouble;
     std::size_t place = 0;
@@ -197,7 +198,7 @@ class SpecialSearch {
     if (!(longest_displacement(closures, q) < farthest_configuration<double>)) {
       return;
     }
-    // A second value that does not fit completes to pairs that are no unit vectors.
+    // A second value that does not fit leads to pairs that are no unit vectors.
     closures.straighten(q);
     const double miss = close(closures, q);
     const double displacement = longest_displacement(closures, q);
@@ -236,7 +237,7 @@ class SpecialSearch {
   unsigned random_ = 0;
 };
 
-// Defined outside of the class, so that an explicit instantiation can be the only one.
+// Defined outside the class, so that an explicit instantiation can be the only one.
 template <typename Group>
 SpecialAssemblies SpecialSearch<Group>::run() {
   if (!group_.is_specialised &&
@@ -248,8 +249,8 @@ SpecialAssemblies SpecialSearch<Group>::run() {
   try_all(d_, u_, exact);
   // Rounding may make a multiple root complex, and then no root is found there.
   for_each_sample([this](const FlatVariables<double>& start) { add(start); });
-  // Where the final polynomial vanishes, its unknown may be the one that is free, which tells
-  // nothing of the others.
+  // If the final polynomial vanishes, its unknown may be the free one, which does not determine the
+  // others.
   if (exact.vanishing) {
     for_each_place([this](const FlatVariables<double>& start) { add(start); });
   }
@@ -279,7 +280,7 @@ double SpecialSearch<Group>::least_miss() {
     }
   };
   for_each_sample(try_near);
-  // No sample can be completed where a link has no length, or slides are parallel.
+  // No sample can be completed if a link has no length, or slides are parallel.
   if (!std::isfinite(least)) {
     for_each_place(try_near);
   }

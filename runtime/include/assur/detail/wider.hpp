@@ -1,4 +1,4 @@
-// Turns a group in float into the same group in double, and its configurations back into float.
+// Conversion of a group from float to double, and of its configurations back to float.
 #pragma once
 
 #include <assur/assemblies.hpp>
@@ -46,8 +46,8 @@ template <typename Narrow, typename Variables>
   return result;
 }
 
-/// Rounds what double has found. The verdicts are those of the narrower scalar, because all that
-/// follows is computed in it; the Jacobian is already off by `unsure`.
+/// Rounds the configurations found in double. The verdicts are those of the narrower scalar, in
+/// which all derivatives are computed; the Jacobian has the error `unsure`.
 template <typename Model, typename Scalar>
 void round_answer(const typename Model::template Dimensions<Scalar>& d,
                   const typename Model::template Inputs<Scalar>& u, Scalar unsure,

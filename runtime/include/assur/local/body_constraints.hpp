@@ -1,5 +1,5 @@
-// The constraints of a whole mechanism, body by body: how far they miss, and how this changes when
-// the links move.
+// Joint constraints of a whole mechanism in coordinates of its bodies: residual, Jacobian and
+// steps.
 #pragma once
 
 #include <algorithm>
@@ -18,23 +18,23 @@
 
 namespace assur::local {
 
-/// Two features, and which coordinates (x, y, theta) of the second one in the frame of the first
-/// are held, one of them perhaps at a value that a driver prescribes. `first` and `second` are the
-/// places of their links among those that move; a feature with a negative place stands still, in
-/// the ground's frame.
+/// Two features that a joint or a driver connects. `holds` marks the coordinates (x, y, theta) of
+/// the second feature, in the frame of the first, that are constrained. `first` and `second` index
+/// the moving links; a negative index means the ground, and the feature is then in the ground's
+/// frame.
 template <typename Scalar>
 struct HeldFeatures {
   int first = -1, second = -1;
   Pose<Scalar> one, other;
   std::array<bool, 3> holds{};
-  int driven = -1;  ///< the coordinate that is held at `wanted`; the others are held at zero
+  int driven = -1;  ///< the coordinate that a driver holds at `wanted`; the others are held at zero
   Scalar wanted = 0;
 };
 
-/// The constraints f(q) = 0. q has three rows for each link that moves: the shift of its pivot,
-/// which is the first of its features that is held, in parts of the mechanism's size, and the turn
-/// about that pivot. f has a row for each coordinate that is held, lengths in parts of the size.
-/// `Rows` and `Columns` may be Eigen::Dynamic; `Pairs` is a container of HeldFeatures.
+/// The constraints f(q) = 0. q has three rows for each moving link: the shift of its pivot, divided
+/// by the mechanism's size, and its rotation about that pivot. The pivot is the link's first held
+/// feature. f has a row for each held coordinate; lengths are divided by the size. `Rows` and
+/// `Columns` may be Eigen::Dynamic; `Pairs` is a container of HeldFeatures.
 template <int Rows, int Columns, typename HeldPairs>
 class BodyConstraints {
  public:
@@ -44,11 +44,11 @@ class BodyConstraints {
   using Open = Vector<Scalar, Rows>;
   using Step = Vector<Scalar, Columns>;
   using Jacobian = Matrix<Scalar, Rows, Columns>;
-  /// Where the links that move stand.
+  /// Poses of the moving links.
   using Poses = std::conditional_t<Columns == Eigen::Dynamic, std::vector<Pose<Scalar>>,
                                    std::array<Pose<Scalar>, detail::size(Columns / 3)>>;
 
-  /// Every one of the `links` that move occurs in some pair.
+  /// Each of the `links` moving links must occur in some pair.
   BodyConstraints(Pairs pairs, int links)
       : pairs_(std::move(pairs)), columns_(3 * links), pivots_(2, links) {
     pivots_.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
@@ -64,23 +64,24 @@ class BodyConstraints {
     }
   }
 
-  /// Holds the same features elsewhere, or at other values.
+  /// Replaces the positions or prescribed values of the same features.
   void hold(Pairs pairs) { pairs_ = std::move(pairs); }
 
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] int columns() const { return columns_; }
-  /// The pivot of a link that moves, on that link.
+  /// The pivot of a moving link, in the link's frame.
   [[nodiscard]] Vector<Scalar, 2> pivot_of(int link) const { return pivots_.col(link); }
-  /// The longest distance of a feature from its link's pivot, or of two that a pair holds.
+  /// The greatest distance of a feature from its link's pivot, or between the two features of a
+  /// pair.
   [[nodiscard]] Scalar size() const { return size_; }
-  /// One plus the distance of the mechanism from the origin, in parts of the size.
+  /// One plus the distance of the mechanism from the origin, divided by the size.
   [[nodiscard]] Scalar reach() const { return reach_; }
-  /// The part of f that rounding may cause.
+  /// A bound on the part of f that is due to rounding.
   [[nodiscard]] Scalar rounding() const {
     return 4 * std::numeric_limits<Scalar>::epsilon() * reach_;
   }
 
-  /// Sets size and reach from where the links are.
+  /// Sets size and reach from the poses.
   void measure(const Poses& poses) {
     Scalar longest = 0;
     Scalar farthest = 0;
@@ -122,9 +123,8 @@ class BodyConstraints {
     return result;
   }
 
-  /// df/dq. The first feature carries the frame in which the second one is seen. So when the first
-  /// link moves, the second feature seems to move as a point of that link would, but the opposite
-  /// way.
+  /// df/dq. The second feature is measured in the frame of the first. A motion of the first link
+  /// therefore acts like the opposite motion of the second feature as a point of that link.
   [[nodiscard]] Jacobian jacobian(const Poses& poses) const {
     Jacobian result = Jacobian::Zero(rows_, columns_);
     for_each_row([&](int row, int coordinate, std::size_t index) {
@@ -163,7 +163,7 @@ class BodyConstraints {
     }
   }
 
-  /// The step of q from some places to others nearby.
+  /// The step of q between two nearby sets of poses.
   [[nodiscard]] Step step(const Poses& from, const Poses& to) const {
     Step result(columns_);
     for (int link = 0; 3 * link < columns_; ++link) {
@@ -184,7 +184,7 @@ class BodyConstraints {
     return {origin(0), origin(1), turning};
   }
 
-  /// The rates of q of a link from the rates (x, y, theta) of its frame.
+  /// The rates of a link's part of q from the rates (x, y, theta) of its frame.
   [[nodiscard]] Vector<Scalar, 3> unknown_rates_of(int link, const Vector<Scalar, 3>& rates,
                                                    const Poses& poses) const {
     const Plane arm = pivot(link, poses) - place_of(poses[static_cast<std::size_t>(link)]);

@@ -1,4 +1,4 @@
-// Closing constraints from nearby, whatever their rank.
+// Gauss-Newton closure of constraints from a nearby point, for Jacobians of any rank.
 #pragma once
 
 #include <Eigen/QR>
@@ -13,7 +13,7 @@ namespace assur::local {
 template <typename System>
 using Factors = Eigen::CompleteOrthogonalDecomposition<typename System::Jacobian>;
 
-/// A singular value below this part of the largest may be rounding.
+/// Singular values below this fraction of the largest may be due to rounding.
 template <typename Scalar>
 inline constexpr Scalar least_firmness =
     static_cast<Scalar>(std::numeric_limits<Scalar>::epsilon() < 1e-12 ? 1e-9 : 1e-4);
@@ -27,8 +27,8 @@ template <typename System>
   return factors;
 }
 
-/// The ratio of the least singular value to the largest, by inverse iteration with T; zero where J
-/// has not full column rank.
+/// The ratio of the least singular value to the largest, by inverse iteration with T; zero if J
+/// lacks full column rank.
 template <typename Decomposition>
 [[nodiscard]] auto firmness_of(const Decomposition& factors) {
   using Matrix = typename Decomposition::MatrixType;
@@ -51,8 +51,8 @@ template <typename Decomposition>
   return least / factors.maxPivot();
 }
 
-/// J^+ b, the shortest of the x for which |J x - b| is least. Eigen's own solution allocates memory
-/// where J has not full rank.
+/// J^+ b, the shortest x that minimises |J x - b|. Eigen's own solution allocates memory if J lacks
+/// full rank.
 template <typename System>
 [[nodiscard]] typename System::Step shortest_solution(const Factors<System>& factors,
                                                       typename System::Open b) {
@@ -75,12 +75,12 @@ template <typename System>
   return factors.colsPermutation() * x;
 }
 
-/// Closes the constraints as far as they can be closed from nearby, by the Gauss-Newton steps
-/// -J^+ f. The system has to be measured.
+/// Closes the constraints as far as possible from a nearby point, by Gauss-Newton steps -J^+ f.
+/// `system.measure` must have been called.
 template <typename System>
 void close(const System& system, typename System::Poses& poses) {
   using Scalar = typename System::Scalar;
-  constexpr int most_tries = 40;  // bounds the effort: steps that gain are far fewer
+  constexpr int most_tries = 40;  // bounds the effort; far fewer steps are needed in practice
   constexpr Scalar longest_step = static_cast<Scalar>(0.1);
   constexpr Scalar least_gain = static_cast<Scalar>(0.9);
   typename System::Open open = system.misses(poses);

@@ -1,4 +1,4 @@
-// Gauss-Jordan elimination with complete pivoting, for kernels and solutions of small systems.
+// Gauss-Jordan elimination with complete pivoting: solutions and null spaces of small systems.
 #pragma once
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 
 namespace assur::local {
 
-/// Memory for numbers: fixed, so that none is allocated, or, where `Most` is zero, as much as is
-/// needed.
+/// Storage for numbers: of fixed size and without allocation, or, if `Most` is zero, of dynamic
+/// size.
 template <typename Number, int Most>
 using Memory = std::conditional_t<(Most > 0), std::array<Number, static_cast<std::size_t>(Most)>,
                                   std::vector<Number>>;
 
-/// Sets as many numbers as are needed to a value.
+/// Sets the first `count` numbers to a value.
 template <typename Number, std::size_t Most>
 void reserve(std::array<Number, Most>& memory, int count, Number value) {
   std::fill_n(memory.begin(), static_cast<std::size_t>(count), value);
@@ -27,12 +27,12 @@ void reserve(std::vector<Number>& memory, int count, Number value) {
   memory.assign(static_cast<std::size_t>(count), value);
 }
 
-/// A matrix in memory that it does not own, row by row. Its functions depend on no size, so a
-/// program has them once.
+/// A row-major matrix in memory that it does not own. Its functions depend on no size, so a program
+/// contains them once.
 template <typename Scalar>
 class Table {
  public:
-  /// The memory must outlive it. All entries become zero.
+  /// The memory must outlive the table. All entries become zero.
   template <typename Numbers>
   Table(Numbers& memory, int rows, int columns) : rows_(rows), columns_(columns) {
     reserve(memory, rows * columns, Scalar(0));
@@ -49,7 +49,7 @@ class Table {
   int columns_;
 };
 
-/// Which row eliminates which column; -1 for none.
+/// The pivot row of each column and the pivot column of each row; -1 for none.
 template <int MostRows, int MostColumns>
 class Pivots {
  public:
@@ -78,7 +78,7 @@ template <typename Scalar>
 template <typename Scalar>
 using SizeOf = decltype(magnitude(Scalar()));
 
-/// A measure of size by which pivots are compared; that of complex numbers takes no root.
+/// The size by which pivots are compared; for complex numbers it needs no square root.
 template <typename Scalar>
 [[nodiscard]] auto pivot_size(const Scalar& entry) {
   return magnitude(entry);
@@ -88,9 +88,9 @@ template <typename Scalar>
   return std::abs(entry.real()) + std::abs(entry.imag());
 }
 
-/// Eliminates that one of the first `columns` columns which has the largest entry above `least` in
-/// a row without a pivot: from all rows but this one, where a unit remains; the other columns are
-/// transformed with it. Returns the entry's size; zero where none is above `least`.
+/// Takes as pivot the largest entry above `least` in the first `columns` columns, among rows and
+/// columns without a pivot. Scales its row so that the pivot becomes one and eliminates its column
+/// from all other rows. Returns the size of the entry; zero if none is above `least`.
 template <typename Scalar, typename Pivots>
 [[nodiscard]] SizeOf<Scalar> eliminate_largest(Table<Scalar>& table, int columns,
                                                SizeOf<Scalar> least, Pivots& pivots) {
@@ -123,8 +123,8 @@ template <typename Scalar, typename Pivots>
   return largest;
 }
 
-/// Eliminates `rank` of the first `columns` columns, one after the other. Returns the last pivot in
-/// parts of the first; zero where no pivot is left.
+/// Eliminates `rank` of the first `columns` columns, one after the other. Returns the ratio of the
+/// last pivot to the first; zero if no pivot is left.
 template <typename Scalar, typename Pivots>
 [[nodiscard]] SizeOf<Scalar> eliminate(Table<Scalar>& table, int columns, int rank,
                                        Pivots& pivots) {
@@ -141,7 +141,7 @@ template <typename Scalar, typename Pivots>
   return last / first;
 }
 
-/// Scales a column to the length of one.
+/// Scales a column to unit length.
 template <typename Scalar>
 void set_unit(Table<Scalar>& table, int column) {
   Scalar square = 0;
@@ -153,9 +153,9 @@ void set_unit(Table<Scalar>& table, int column) {
   }
 }
 
-/// Directions that a matrix nearly loses: N spans what it takes to almost nothing, and W what it
-/// hardly reaches; each has unit columns. `matrix` has as many further columns as rows; they are
-/// zero.
+/// Null spaces of a matrix of nearly deficient rank: N spans the right null space, W the left one,
+/// each by unit columns. Behind its `columns` columns, `matrix` has as many zero columns as it has
+/// rows.
 template <typename Scalar, typename Pivots>
 void find_lost_directions(Table<Scalar>& matrix, int columns, int rank, Table<Scalar>& N,
                           Table<Scalar>& W, Pivots& pivots) {

@@ -1,4 +1,4 @@
-// The place near a point at which constraints lose rank, and by how much they are open there.
+// The point near a given one at which constraints lose rank, and their residual there.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace assur::local {
 
-/// A point at which F'(z) has lost ranks, and F(z) + W mu = 0 with W across the image of F'. Where
-/// mu is no more than rounding, branches meet there; else they pass each other, or end.
+/// A point at which F'(z) has lost rank, and F(z) + W mu = 0, where W spans the left null space of
+/// F'. If mu is zero up to rounding, branches meet there; otherwise they pass each other, or end.
 template <typename System>
 struct SingularPoint {
   typename System::Point at;
@@ -19,7 +19,7 @@ struct SingularPoint {
   bool is_found = false;
 };
 
-/// The largest sizes of what is computed, where they are fixed; else zero.
+/// Upper bounds of the matrices' sizes if these are fixed; zero otherwise.
 template <typename System, bool IsFixed = has_fixed_size<System>>
 struct MostOf {
   static constexpr int rows = 0, columns = 0, left = 0, right = 0, bordered = 0, equations = 0,
@@ -37,10 +37,10 @@ struct MostOf<System, true> {
                                            equations*(columns + left + 1), rows*(columns + rows)});
 };
 
-/// Looks for a singular point by Newton's steps for F + W mu = 0 and S = 0, where N and W are the
-/// directions that F' nearly loses at the first point, and [F' W; N' 0] [V; -S] = [0; 1]. The
-/// derivative of S along e is Y' F''(e, V), where [F'^T N; W' 0] [Y; .] = [0; 1]. Of the equations
-/// S = 0, those that say the same as others are left out.
+/// Newton's method for a singular point: F + W mu = 0 and S = 0. N and W span the right and left
+/// null space of F' at the first point, nearly, and [F' W; N' 0] [V; -S] = [0; 1]. The derivative
+/// of S along e is Y' F''(e, V), where [F'^T N; W' 0] [Y; .] = [0; 1]. Dependent equations of S = 0
+/// are left out.
 template <typename System>
 class SingularPointSearch {
   using Scalar = typename System::Scalar;
@@ -63,7 +63,7 @@ class SingularPointSearch {
   }
 
   [[nodiscard]] SingularPoint<System> run() {
-    constexpr int most_steps = 6;  // those that converge take two or three
+    constexpr int most_steps = 6;  // convergent runs take two or three
     WideOf<System> J = jacobian(system_, result_.at);
     find_lost_directions(J);
     for (int time = 0; time < most_steps; ++time) {
@@ -96,7 +96,7 @@ class SingularPointSearch {
     local::find_lost_directions(table, columns_, rank_, N_, W_, pivots_);
   }
 
-  /// V and S, and Y.
+  /// Computes V, S and Y.
   void solve_bordered(const WideOf<System>& J) {
     for (const bool transposed : {false, true}) {
       const int size = rows_ + right();
@@ -140,10 +140,10 @@ class SingularPointSearch {
     }
   }
 
-  /// Takes Newton's step, and tells its longest entry. False where it is too long, where the point
-  /// is not the only one nearby, or where equations that were left out do not hold.
+  /// Takes one Newton step and sets `longest` to its largest entry. False if the step is too long,
+  /// if the point is not isolated, or if an equation that was left out does not hold.
   [[nodiscard]] bool take_step(const WideOf<System>& J, Scalar& longest) {
-    // The least pivot in parts of the largest is above the error of differences.
+    // The ratio of the least pivot to the largest must exceed the error of finite differences.
     const Scalar least_firmness = 16 * std::sqrt(std::numeric_limits<Scalar>::epsilon());
     const int size = columns_ + left();
     Table<Scalar> table(memory_, rows_ + left() * right(), size + 1);
@@ -222,8 +222,8 @@ class SingularPointSearch {
   Pivots<Most::equations, Most::bordered> pivots_;
 };
 
-/// Finds the point where F' has lost `corank` ranks, at most System::most_corank where sizes are
-/// fixed, from one near it.
+/// Finds the point near `near` at which F' loses `corank` ranks; at most System::most_corank if
+/// sizes are fixed.
 template <typename System>
 [[nodiscard]] SingularPoint<System> singular_point(const System& system,
                                                    const typename System::Point& near, int corank) {

@@ -1,4 +1,4 @@
-// Constraints that move with one parameter, and their derivatives by differences.
+// Systems of constraints that depend on one parameter, and their derivatives by finite differences.
 #pragma once
 
 #include <assur/model.hpp>
@@ -9,19 +9,18 @@
 
 namespace assur::local {
 
-// A `System` is a set of constraints F(z) = 0, z = (q, s): places q, and the way s along which they
-// move. Lengths are in parts of the size, and s is in parts of the way that moves the mechanism by
-// its size. It has
+// A `System` is a set of constraints F(z) = 0, z = (q, s), with coordinates q and path parameter s.
+// Lengths are divided by the mechanism's size; a unit of s moves the mechanism by its size. It has
 //
 //   using Scalar, Point;
 //   static constexpr int rows, unknowns;  // unknowns without s; or Eigen::Dynamic
 //   int row_count() const;                // their numbers
 //   int unknown_count() const;
-//   static constexpr int most_corank;     // that is looked for; needed where sizes are fixed
+//   static constexpr int most_corank;     // the greatest one sought; needed if sizes are fixed
 //   Vector<Scalar, rows> misses(const Point&) const;                    // F(z)
 //   void move(const Vector<Scalar, unknowns + 1>& step, Point&) const;  // the last entry along s
 //
-// and may have F' and F''(., v), which are computed by differences otherwise:
+// and may have F' and F''(., v), which are otherwise computed by finite differences:
 //
 //   Matrix<Scalar, rows, unknowns + 1> jacobian(const Point&) const;
 //   Matrix<Scalar, rows, unknowns + 1> bends(const Point&, const Step& v) const;
@@ -37,7 +36,7 @@ using StepOf = Vector<typename System::Scalar, columns_of<System>>;
 template <typename System>
 using WideOf = Matrix<typename System::Scalar, System::rows, columns_of<System>>;
 
-/// F where a point has moved by a step.
+/// F at a point moved by a step.
 template <typename System>
 [[nodiscard]] OpenOf<System> misses_beside(const System& system, typename System::Point point,
                                            const StepOf<System>& step) {
@@ -52,7 +51,7 @@ inline constexpr bool
     has_jacobian<System, std::void_t<decltype(std::declval<const System&>().jacobian(
                              std::declval<const typename System::Point&>()))>> = true;
 
-/// F', by central differences to about the square of the cube root of a rounding.
+/// F', or its central difference, whose error is about epsilon^(2/3).
 template <typename System>
 [[nodiscard]] WideOf<System> jacobian(const System& system, const typename System::Point& point) {
   if constexpr (has_jacobian<System>) {
@@ -72,7 +71,7 @@ template <typename System>
   }
 }
 
-/// F''(., v), by central differences to about the root of a rounding.
+/// F''(., v), or its central difference, whose error is about epsilon^(1/2).
 template <typename System>
 [[nodiscard]] WideOf<System> bends(const System& system, const typename System::Point& point,
                                    const StepOf<System>& v) {

@@ -1,4 +1,4 @@
-// Complex configurations of a group, each enclosed in a ball that holds exactly one.
+// Enclosures of a group's complex configurations in balls that hold exactly one each.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace assur::loops {
 
-/// A list without memory of its own beyond its capacity.
+/// A list of fixed capacity that allocates no memory.
 template <typename Item, int Capacity>
 class BoundedList {
  public:
@@ -30,19 +30,18 @@ class BoundedList {
   std::array<Item, static_cast<std::size_t>(Capacity)> items_;
   int count_ = 0;
 };
-/// A list whose capacity is not known when it is compiled.
+/// A list whose capacity is not known at compile time.
 template <typename Item>
 class BoundedList<Item, Eigen::Dynamic> : public std::vector<Item> {
  public:
   [[nodiscard]] static constexpr bool is_full() { return false; }
 };
 
-/// A configuration, as Newton's method has settled it, and a ball about it where Krawczyk's
-/// operator is a contraction, with bounds for all roundings. The ball is measured by the largest of
-/// the moduli of the angles' errors and of the displacements' errors, in parts of the group's size
-/// or of a displacement that is longer.
-/// Within `holds` of the configuration there is one exact solution of the equations as they stand
-/// in doubles, and within `alone` no other one.
+/// A configuration to which Newton's method has converged, and a ball about it in which Krawczyk's
+/// operator is a contraction, with bounds for all roundings. The norm is the largest modulus of the
+/// angles' errors and of the displacements' errors, divided by the group's size or by a longer
+/// displacement. Within `holds` of the configuration lies one exact solution of the equations with
+/// their rounded coefficients, and within `alone` no other.
 template <typename Of>
 struct Enclosed {
   ComplexConfiguration<Of> at;
@@ -51,12 +50,12 @@ struct Enclosed {
   bool is_real;  ///< the solution is its own mirror image theta -> 1 / conj(theta), s -> conj(s)
 };
 
-/// The complex configurations that were found, in disjoint balls.
+/// The complex configurations found, in disjoint balls.
 template <typename Of>
 struct AllConfigurations {
   BoundedList<Enclosed<Of>, Of::configurations> enclosed;
-  /// Where closures vanish to rounding without a ball being found: approximate. Points of families
-  /// are without number: no more are kept than two for each configuration that is sought.
+  /// Approximate configurations whose closures vanish to rounding, but for which no ball was found.
+  /// Families have infinitely many points: at most two are kept for each configuration sought.
   BoundedList<ComplexConfiguration<Of>,
               Of::configurations == Eigen::Dynamic ? Eigen::Dynamic : 2 * Of::configurations>
       unproven;
@@ -65,7 +64,7 @@ struct AllConfigurations {
 };
 
 /// The row sums of the moduli of a matrix: its norm as a map of vectors measured by their largest
-/// entry. Of a vector the largest modulus; zero where it is empty.
+/// entry. For a vector this is the largest modulus; zero if it is empty.
 template <typename Matrix>
 [[nodiscard]] double norm_of(const Eigen::MatrixBase<Matrix>& matrix) {
   double largest = 0;
@@ -76,18 +75,20 @@ template <typename Matrix>
   return largest;
 }
 
-/// Bounds of a group's closures near a configuration, of each one by itself: where a direction is
-/// long, its loop is, too, and the conjugate of the loop is not.
+/// Bounds of a group's closures near a configuration, one for each: if a direction has a large
+/// modulus, so has its loop, but not the conjugate of the loop.
 template <typename Of>
 struct ClosureBounds {
-  typename Of::Closures rounding;  ///< of the closure and of each of its derivatives, as computed
-  typename Of::Closures bending;   ///< of its second derivatives, along two vectors of length one
+  typename Of::Closures
+      rounding;  ///< rounding error of the closure and of each of its derivatives, as computed
+  typename Of::Closures
+      bending;  ///< bound on its second derivatives, along two vectors of length one
 };
 
 /// With z = (angles, displacements in their units) the second derivatives of a closure are sums of
 /// - a theta_c, along c twice, and i b theta_c, along c and s; in a ball of radius `reach` no
-/// theta, nor its reciprocal, grows by more than exp(reach). Products, sums and exponentials of a
-/// group of this size are rounded less than `operations` times.
+/// theta, nor its reciprocal, grows by more than exp(reach). In a group of this size a result has
+/// fewer than `operations` roundings.
 template <typename Of>
 [[nodiscard]] ClosureBounds<Of> bounds_of(const LoopEquations<Of>& equations,
                                           const ComplexConfiguration<Of>& at, double reach) {
@@ -132,8 +133,8 @@ template <typename Of>
   return (open.array() <= bounds_of(equations, at, 0).rounding.array()).all();
 }
 
-/// The largest difference of two configurations, angles and displacements alike, in the larger of
-/// their units; turns are measured by the ratio of the directions.
+/// The largest difference of two configurations over angles and displacements, in the larger of
+/// their units; angles are compared by the ratio of their directions.
 template <typename Of>
 [[nodiscard]] double distance_between(const ComplexConfiguration<Of>& one,
                                       const ComplexConfiguration<Of>& other) {
@@ -154,9 +155,9 @@ template <typename Of>
   return {of.theta.conjugate().cwiseInverse(), of.s.conjugate()};
 }
 
-/// Whether a direction, or the reciprocal of one or of a displacement in parts of the size, is zero
-/// to rounding, or to the root of a rounding where two eigenvalues meet: the configuration is at
-/// infinity.
+/// Whether the configuration is at infinity: a direction, or the reciprocal of one or of a
+/// displacement divided by the size, is zero to rounding, or to the square root of epsilon where
+/// two eigenvalues meet.
 template <typename Of>
 [[nodiscard]] bool is_at_infinity(const ComplexConfiguration<Of>& at) {
   const auto sizes = at.theta.cwiseAbs();
@@ -164,11 +165,11 @@ template <typename Of>
   return !(sizes.minCoeff() > zero * sizes.maxCoeff() && norm_of(at.s) * zero < 1);
 }
 
-/// Newton's steps in the unit of the group; false where they do not settle.
+/// Newton's method in the unit of the group; false if it does not converge.
 template <typename Of>
 [[nodiscard]] bool polish(const LoopEquations<Of>& equations, ComplexConfiguration<Of>& at) {
   constexpr int most_steps = 50;
-  constexpr double turn = 1;  // radians, or parts of the size: a longer step leads elsewhere
+  constexpr double turn = 1;  // radians, or relative to the size: a longer step leads elsewhere
   double last = std::numeric_limits<double>::infinity();
   for (int step = 0; step < most_steps; ++step) {
     typename Of::ComplexClosures by =
@@ -178,7 +179,7 @@ template <typename Of>
       return false;
     }
     if (length >= last && closes(equations, at)) {
-      return true;  // rounding alone is left, which moves a multiple configuration far
+      return true;  // only rounding is left, which moves a multiple configuration far
     }
     if (length > turn) {
       by *= turn / length;
@@ -192,9 +193,9 @@ template <typename Of>
   return false;
 }
 
-/// Sets the ball about `ball.at`; false where there is none. z -> z - Y f(z) maps the ball of
-/// radius r about z0 into itself if |Y f(z0)| + q(r) r <= r, where q(r) = |1 - Y J(z0)| + |Y|
-/// bending r bounds its derivative in the ball; it has one fixed point in each ball with q < 1.
+/// Sets the ball about `ball.at`; false if there is none. z -> z - Y f(z) maps the ball of radius r
+/// about z0 into itself if |Y f(z0)| + q(r) r <= r, where q(r) = |1 - Y J(z0)| + |Y| bending r
+/// bounds its derivative in the ball; it has one fixed point in each ball with q < 1.
 template <typename Of>
 [[nodiscard]] bool enclose(const LoopEquations<Of>& equations, Enclosed<Of>& ball) {
   using Square = typename Of::ComplexSquare;
@@ -207,7 +208,7 @@ template <typename Of>
   if (!inverse.allFinite()) {
     return false;
   }
-  constexpr double largest_ball = 0.5;  // a turn: exp(reach) stays small
+  constexpr double largest_ball = 0.5;  // radians: exp(reach) stays small
   const ClosureBounds<Of> bounds = bounds_of(equations, ball.at, largest_ball);
   const typename Of::Square of_inverse = inverse.cwiseAbs();
   const auto size = static_cast<double>(jacobian.rows());
@@ -224,20 +225,20 @@ template <typename Of>
   if (!(still < 0.5)) {
     return false;
   }
-  // The ball with q = (1 + still) / 2 is the largest that is counted on.
+  // The largest ball used is that with q = (1 + still) / 2.
   ball.alone = (std::min)(largest_ball, (1 - still) / (2 * bent));
   ball.holds = 2 * moved / (1 - still);
   ball.is_real = distance_between(ball.at, mirrored(ball.at)) + ball.holds < ball.alone;
   return ball.holds <= ball.alone;
 }
 
-/// Searches by one way after another, each an `Elimination` or a `Start`, until `complex_count`
-/// balls are found, or all ways are used.
+/// Applies one method after another, each an `Elimination` or a `Start`, until `complex_count`
+/// balls are found or no method is left.
 template <typename Of, typename Ways>
 [[nodiscard]] AllConfigurations<Of> all_configurations(const LoopEquations<Of>& equations,
                                                        const Ways& ways, int complex_count) {
   const double unit = equations.size();
-  LoopEquations<Of> own = equations;  // displacements, and closures, in parts of the size
+  LoopEquations<Of> own = equations;  // displacements and closures divided by the size
   own.of_angles /= unit;
   AllConfigurations<Of> result;
   const auto found = [&](const ComplexConfiguration<Of>& near) {
@@ -250,7 +251,7 @@ template <typename Of, typename Ways>
       return;
     }
     if (!is_settled || !enclose(own, ball)) {
-      if (!closes(own, ball.at)) {  // where J is singular, Newton's steps may not settle
+      if (!closes(own, ball.at)) {  // if J is singular, Newton's method may not converge
         ball.at = settled(own, made_real(near));
       }
       if (closes(own, ball.at) && !result.unproven.is_full()) {

@@ -1,5 +1,5 @@
-// Every complex configuration of a group, by the determinant of Dixon in the complex plane as an
-// eigenproblem.
+// All complex configurations of a group: Dixon's determinant in the complex plane as an eigenvalue
+// problem.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,9 +33,8 @@ class HiddenAngle {
     }
   }
 
-  /// Calls `visit(product, power, coefficient)` for the terms of a set's equation, which is known
-  /// up to a constant factor. There are none where all is eliminated without an equation being
-  /// left.
+  /// Calls `visit(product, power, coefficient)` for the terms of a set's equation, which is
+  /// determined up to a constant factor. There are none if elimination leaves no equation.
   template <typename Visit>
   void each_term(AngleSet set, const Visit& visit) const {
     if (hidden_slides_ == 0) {
@@ -51,8 +50,8 @@ class HiddenAngle {
  private:
   template <typename Visit>
   void each_term_along_hidden(AngleSet set, const Visit& visit) const {
-    // Each displacement along the hidden angle brings a factor x or 1/x: the polynomial follows
-    // from its values at roots of one.
+    // Each displacement along the hidden angle contributes a factor x or 1/x: the polynomial is
+    // interpolated from its values at roots of unity.
     const int samples = 2 * hidden_slides_ + 1;
     std::array<Column, 2 * most_slides + 1> values;
     for (int sample = 0; sample < samples; ++sample) {
@@ -84,7 +83,7 @@ class HiddenAngle {
     return angle != ground_ && angle != hidden_;
   }
 
-  /// The columns that are eliminated for a set, where x has a value, and a last column of zeros.
+  /// The columns eliminated for a set, at a value of x, and a last column of zeros.
   [[nodiscard]] Square eliminated(AngleSet set, Complex x) const {
     Square result = Square::Zero(2 * loops_, 2 * loops_);
     Eigen::Index column = 0;
@@ -108,8 +107,8 @@ class HiddenAngle {
     return result;
   }
 
-  /// A multiple of the cofactors of the last column of zeros, where x is not among what is
-  /// eliminated; false where the other columns are dependent.
+  /// A multiple of the cofactors of the last column of zeros, if x is not among the eliminated
+  /// unknowns; false if the other columns are dependent.
   [[nodiscard]] bool cofactors_of(const Square& columns, Column& cofactors) const {
     const Eigen::Index size = columns.rows();
     ClosureSystem<Of, Complex> system(size - 1, size);
@@ -158,13 +157,13 @@ class HiddenAngle {
 };
 
 /// The polynomial matrix of an elimination about a point sigma: the Taylor coefficient of an order
-/// stands in the columns `order * size` and on. Each row is divided by its largest term.
+/// is stored from column `order * size` on. Each row is divided by its largest term.
 template <typename Of>
 class PolynomialMatrix {
  public:
   using Pencil = Eigen::Matrix<Complex, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
                                Of::eigenvalues, Of::eigenvalues>;
-  /// Any point off the unit circle, on which real angles lie.
+  /// An arbitrary point off the unit circle, on which real angles lie.
   [[nodiscard]] static Complex sigma() { return {0.37, 1.21}; }
 
   PolynomialMatrix(const LoopEquations<Of>& equations, const Elimination& elimination)
@@ -189,8 +188,8 @@ class PolynomialMatrix {
     }
   }
 
-  /// Sets a matrix of zeros to that whose eigenvalues are w = 1 / (x - sigma); false where the
-  /// matrix at sigma has no inverse.
+  /// Fills a zero matrix so that its eigenvalues are w = 1 / (x - sigma); false if the matrix at
+  /// sigma has no inverse.
   [[nodiscard]] bool put_companion(Pencil& companion) {
     if (entries_.eliminate(size_, size_) == 0) {
       return false;
@@ -221,7 +220,8 @@ class PolynomialMatrix {
   SmallSystem<Complex, Of::eigenvalues, 2 * Of::eigenvalues> entries_;
 };
 
-/// The configuration with these angles; the displacements close the loops as well as they can.
+/// The configuration with these angles; the displacements are least-squares solutions of the loop
+/// closures.
 template <typename Of>
 [[nodiscard]] ComplexConfiguration<Of> with_displacements(const LoopEquations<Of>& equations,
                                                           const typename Of::Directions& theta) {
@@ -238,7 +238,7 @@ template <typename Of>
   return result;
 }
 
-/// The configuration that an eigenvalue and its kernel tell: t_c is the ratio of two products.
+/// The configuration of an eigenvalue and its eigenvector: t_c is the ratio of two products.
 template <typename Of, typename Kernel>
 [[nodiscard]] ComplexConfiguration<Of> told_configuration(const LoopEquations<Of>& equations,
                                                           const Elimination& elimination,
@@ -270,8 +270,8 @@ template <typename Of, typename Kernel>
   return with_displacements<Of>(equations, theta / base);
 }
 
-/// Calls `visit(configuration)` for approximate complex configurations: all in general position,
-/// and some that close nothing.
+/// Calls `visit(configuration)` for approximate complex configurations: all those of a group in
+/// general position, and some spurious ones.
 template <typename Of, typename Visit>
 void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimination,
                     const Visit& visit) {
@@ -307,7 +307,7 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
       visit(told);
     }
   };
-  // Eigenvalues that differ by less than the root of a rounding may be one.
+  // Eigenvalues that differ by less than the square root of epsilon may coincide.
   const double one_x = std::sqrt(epsilon);
   for (Eigen::Index index = 0; index < w.size(); ++index) {
     if (w(index) == Complex(0)) {
@@ -315,8 +315,8 @@ void each_candidate(const LoopEquations<Of>& equations, const Elimination& elimi
     }
     const Complex x = x_of(index);
     tell(x, kernel(index));
-    // Two configurations with one x have a kernel of two dimensions, which does not tell them
-    // apart: Newton's method begins in several places of it.
+    // Two configurations with the same x share a null space of dimension two, in which they cannot
+    // be distinguished: Newton's method starts from several points of it.
     for (Eigen::Index other = index + 1; other < w.size(); ++other) {
       if (w(other) != Complex(0) && std::abs(x_of(other) - x) < one_x * std::abs(x)) {
         constexpr int places = 8;

@@ -1,4 +1,4 @@
-// The loop closures of a group at given numbers, as linear forms in the unit complex numbers of its
+// Loop closures of a group with given numbers, as linear forms in the unit complex numbers of its
 // angles and in its displacements.
 #pragma once
 
@@ -22,7 +22,7 @@ struct Sizes {
   static constexpr int configurations = Configurations;
   static constexpr int closures = Loops == Eigen::Dynamic ? Eigen::Dynamic : 2 * Loops;
   static constexpr int directions = Angles == Eigen::Dynamic ? Eigen::Dynamic : Angles + 1;
-  // The sizes are bounds: loops over entries that compilers unroll are compiled for minutes.
+  // The sizes are upper bounds: loops unrolled over fixed sizes would take minutes to compile.
   template <typename Scalar, int Rows, int Columns = 1>
   using AtMost = Eigen::Matrix<Scalar, Eigen::Dynamic, Columns == 1 ? 1 : Eigen::Dynamic,
                                Eigen::ColMajor, Rows == 0 ? 1 : Rows, Columns == 0 ? 2 : Columns>;
@@ -38,15 +38,15 @@ using AnySizes =
     Sizes<Eigen::Dynamic, Eigen::Dynamic, Eigen::Dynamic, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// The closures f_k = sum_c of_angles(k, c) theta_c + sum_j of_slides(k, j) s_j theta_{angle of j}
-/// of a group, with theta_c = exp(i angle c), theta_0 = 1. Conjugated they hold, too, with 1 /
-/// theta_c in place of theta_c: that is a condition of its own where the angles are complex.
+/// of a group, with theta_c = exp(i angle c), theta_0 = 1. Their conjugates also hold, with 1 /
+/// theta_c in place of theta_c; for complex angles these are independent conditions.
 template <typename Of>
 struct LoopEquations {
-  /// A row per loop, a column per angle, the base's first.
+  /// One row per loop, one column per angle, the base's first.
   typename Of::template AtMost<Complex, Of::loops, Of::directions> of_angles;
-  /// A row per loop, a column per displacement.
+  /// One row per loop, one column per displacement.
   typename Of::template AtMost<Complex, Of::loops, Of::slides> of_slides;
-  /// The angle along which each displacement runs.
+  /// The angle of each displacement's direction.
   typename Of::template AtMost<int, Of::slides> slide_angles;
 
   [[nodiscard]] Eigen::Index loop_count() const { return of_angles.rows(); }
@@ -57,10 +57,10 @@ struct LoopEquations {
   [[nodiscard]] bool is_finite() const { return of_angles.allFinite() && of_slides.allFinite(); }
 };
 
-/// The equations of a group whose closures `closures_at(angle, slide)` tells, a complex number for
-/// each loop, where the direction of one angle is 1 and those of all others are 0 (which the
-/// closures allow, as they are linear), and likewise one displacement. `angle` is 0 and `slide` -1
-/// where all are 0; else angles count from 1.
+/// The equations of a group from its closures at unit vectors. `closures_at(angle, slide)` returns
+/// a complex number for each loop, with the direction of one angle set to 1 and those of all others
+/// to 0 (allowed, as the closures are linear), and likewise for one displacement. `angle` is 0 and
+/// `slide` -1 if all are 0; otherwise angles count from 1.
 template <typename Of, typename ClosuresAt>
 [[nodiscard]] LoopEquations<Of> loop_equations(
     Eigen::Index loops, Eigen::Index angles,
@@ -83,7 +83,7 @@ template <typename Of, typename ClosuresAt>
   return result;
 }
 
-/// A configuration of a group in complex numbers. Where it is real, |theta_c| = 1 and the
+/// A configuration of a group in complex numbers. If it is real, |theta_c| = 1 and the
 /// displacements are real.
 template <typename Of>
 struct ComplexConfiguration {
@@ -91,11 +91,11 @@ struct ComplexConfiguration {
   typename Of::Displacements s;   ///< of each displacement
 };
 
-/// What errors of a displacement, in parts of the size, are measured by: slides that are almost
-/// parallel make it long, and then its error, too.
+/// The unit for errors of a displacement given relative to the size: almost parallel slides make it
+/// long, and so its error.
 [[nodiscard]] inline double unit_of(const Complex& s) { return (std::max)(1.0, std::abs(s)); }
 
-/// The closures of the loops, and then their conjugates, in a complex configuration.
+/// The closures of the loops, followed by their conjugates, in a complex configuration.
 template <typename Of>
 [[nodiscard]] typename Of::ComplexClosures closures_at(const LoopEquations<Of>& equations,
                                                        const ComplexConfiguration<Of>& at) {
@@ -112,7 +112,8 @@ template <typename Of>
   return result;
 }
 
-/// Their derivatives to the angles but the base's, and then to the displacements.
+/// Their derivatives with respect to the angles, the base's excluded, and then to the
+/// displacements.
 template <typename Of>
 [[nodiscard]] typename Of::ComplexSquare jacobian_at(const LoopEquations<Of>& equations,
                                                      const ComplexConfiguration<Of>& at) {
@@ -156,7 +157,8 @@ template <typename Of>
   return result;
 }
 
-/// What rounding may leave of the closures: each is a sum of some ten products of rounded numbers.
+/// The residual that rounding may leave: each closure is a sum of some ten products of rounded
+/// numbers.
 template <typename Of>
 [[nodiscard]] double rounding_of(const LoopEquations<Of>& equations,
                                  const ComplexConfiguration<Of>& at) {

@@ -1,4 +1,5 @@
-// Complex configurations of a group, continued from those of the same group with other numbers.
+// Parameter continuation of a group's complex configurations from those of the same group with
+// other numbers.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,10 +12,10 @@
 
 namespace assur::loops {
 
-/// The closures H(z, t) = turn (1 - t) f(z) + t g(z) that lead from those of some numbers, f, to
-/// those of others, g, and the paths of their configurations z(t), 0 <= t <= 1. Closures are linear
-/// in a group's numbers, so that every H is of the same group, with complex numbers; for almost
-/// every `turn` no two paths meet before t = 1.
+/// The homotopy H(z, t) = turn (1 - t) f(z) + t g(z) from the closures f with some numbers to the
+/// closures g with others, and the paths of its configurations z(t), 0 <= t <= 1. Closures are
+/// linear in a group's numbers, so every H belongs to the same group, with complex numbers; for
+/// almost every `turn` no two paths meet before t = 1.
 template <typename Of>
 class ParameterPath {
   using At = ComplexConfiguration<Of>;
@@ -24,19 +25,19 @@ class ParameterPath {
   ParameterPath(const LoopEquations<Of>& from, const LoopEquations<Of>& to, const Complex& turn)
       : from_(from), to_(to), turn_(turn) {}
 
-  /// Follows the path of a configuration as far as steps lead: to t = 1, or to where it comes close
-  /// to a multiple configuration or to infinity there. Whether it is at t = 1.
+  /// Follows the path of a configuration to t = 1, or until it comes close to a multiple
+  /// configuration or to infinity. Returns whether t = 1 was reached.
   bool follow(At& at) const {
-    constexpr int most_steps = 400;  // paths take some 20
+    constexpr int most_steps = 400;  // paths take about 20
     constexpr double first_step = 0.05;
-    constexpr double shortest_step = 1e-10;  // of t, near which rounding bends a path
+    constexpr double shortest_step = 1e-10;  // in t; below this rounding bends a path
     double t = 0;
     double length = first_step;
     for (int step = 0; step < most_steps && length > shortest_step; ++step) {
       const double next_t = length < 1 - t ? t + length : 1.0;
       At next = predicted(at, t, next_t - t);
       const double missed = corrected(next, next_t);
-      const double grown = goal / missed;  // the error is of order five in the length
+      const double grown = goal / missed;  // the error is of fifth order in the length
       if (!(missed <= most_missed)) {
         length = (next_t - t) / 2;
         continue;
@@ -52,8 +53,8 @@ class ParameterPath {
   }
 
  private:
-  // Newton's first step after a prediction, in radians and parts of the size: what the second one
-  // leaves is as its fourth power.
+  // The length of Newton's first step after a prediction, in radians and relative to the size: the
+  // error after the second step is about its fourth power.
   static constexpr double goal = 1e-3, most_missed = 1e-2;
 
   /// dz/dt = -(dH/dz)^-1 (g - turn f).
@@ -69,7 +70,7 @@ class ParameterPath {
     return -solved<Of>(jacobian(at, t), open);
   }
 
-  /// Runge and Kutta's step of order four.
+  /// The Runge-Kutta step of order four.
   [[nodiscard]] At predicted(const At& at, double t, double length) const {
     const Step first = rate(at, t);
     const Step second = rate(stepped<Of>(at, length / 2 * first), t + length / 2);
@@ -78,8 +79,8 @@ class ParameterPath {
     return stepped<Of>(at, length / 6 * (first + 2 * second + 2 * third + last));
   }
 
-  /// Two of Newton's steps; the length of the first one, and NaN where the second one is not much
-  /// shorter, which tells that they lead to the path (Kantorovich).
+  /// Two Newton steps. Returns the length of the first one; NaN unless the second one is much
+  /// shorter, which shows convergence to the path (Kantorovich).
   [[nodiscard]] double corrected(At& at, double t) const {
     const Step first = newton_step(at, t);
     at = stepped<Of>(at, first);
@@ -92,7 +93,7 @@ class ParameterPath {
                                                     : std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// The largest turn of a step, or part of a displacement where that is longer than the size.
+  /// The largest entry of a step, relative for displacements longer than the size.
   [[nodiscard]] static double length_of(const Step& step, const At& at) {
     double result = 0;
     const Eigen::Index angles = step.size() - at.s.size();
@@ -109,8 +110,8 @@ class ParameterPath {
   Complex turn_;
 };
 
-/// Calls `visit(configuration)` for approximate complex configurations: all in general position,
-/// and some that close nothing where there are fewer.
+/// Calls `visit(configuration)` for approximate complex configurations: all those of a group in
+/// general position, and some spurious ones if there are fewer.
 template <typename Of, typename Visit>
 void each_candidate(const LoopEquations<Of>& equations, const Start& start, const Visit& visit) {
   const Eigen::Index angles = equations.of_angles.cols();

@@ -1,5 +1,5 @@
-// The real configurations of a group among its complex ones, and what moves where it is in special
-// position.
+// Real configurations of a group among its complex ones, and the mobility of its families in
+// special position.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +12,11 @@ namespace assur::loops {
 template <typename Of>
 struct RealConfigurations {
   BoundedList<ComplexConfiguration<Of>, Of::configurations> list;
-  int complex_count = 0;  ///< the number of complex configurations that are enclosed
+  int complex_count = 0;  ///< the number of enclosed complex configurations
   int mobility = 0;       ///< the greatest of a family
 };
 
-/// Real configurations among those that are not enclosed, and the mobility of what moves.
+/// Real configurations among those that are not enclosed, and the mobility of families.
 template <typename Of>
 class UnprovenConfigurations {
  public:
@@ -29,8 +29,8 @@ class UnprovenConfigurations {
   }
 
  private:
-  /// Where a configuration is not enclosed, rounding moves it by the root of a rounding, or more
-  /// where more than two meet.
+  /// A configuration that is not enclosed is displaced by the square root of epsilon, or more if
+  /// more than two meet.
   [[nodiscard]] static double apart() { return std::cbrt(epsilon); }
 
   [[nodiscard]] double gap_between(const ComplexConfiguration<Of>& one,
@@ -67,8 +67,9 @@ class UnprovenConfigurations {
     }
   }
 
-  /// How far what rounding leaves of the closures may move a configuration: the root of a rounding
-  /// where two meet, for J is then as small, and more where more than two do.
+  /// The displacement of a configuration by the residual that rounding leaves of the closures: the
+  /// square root of epsilon where two configurations meet, since J is then as small, and more where
+  /// more than two do.
   [[nodiscard]] double displacement_at(const ComplexConfiguration<Of>& at,
                                        const RealClosures<Of>& here) const {
     const typename Of::Square one = Of::Square::Identity(here.j.rows(), here.j.cols());
@@ -78,10 +79,10 @@ class UnprovenConfigurations {
     return by <= apart() * 100 ? by : apart() * 100;  // also where J has no inverse
   }
 
-  /// How many directions of the kernel lead to configurations that close as well.
+  /// The number of null directions that lead to other closed configurations.
   [[nodiscard]] int mobility_at(const ComplexConfiguration<Of>& at,
                                 const RealClosures<Of>& here) const {
-    constexpr double step = 0x1p-7;  // radians: the closures of an isolated one open by its square
+    constexpr double step = 0x1p-7;  // radians: the residual of an isolated one grows as its square
     const Eigen::Index angles = equations_.angle_count();
     typename Of::Square in_size = here.j;
     in_size.leftCols(angles) /= size_;

@@ -1,4 +1,4 @@
-// Real configurations near others, where the closures of a group are least.
+// Real configurations near given ones with the least closure residual.
 #pragma once
 
 #include <assur/loops/loop_equations.hpp>
@@ -39,8 +39,8 @@ template <typename Of>
   return result;
 }
 
-/// Gauss and Newton's steps with damping, by Levenberg and Marquardt, to where the closures are
-/// least; each step is measured with displacements in parts of the size.
+/// The configuration of least closure residual by damped Gauss-Newton steps (Levenberg-Marquardt);
+/// steps are measured with displacements divided by the size.
 template <typename Of>
 [[nodiscard]] ComplexConfiguration<Of> settled(const LoopEquations<Of>& equations,
                                                ComplexConfiguration<Of> at) {

@@ -1,5 +1,5 @@
-// Linear systems of a group. Their code depends on no size, so that compilers have little of it:
-// decompositions of matrices of each size would take minutes.
+// Linear systems of a group. Their code is the same for all sizes, since decompositions of matrices
+// of each size would take minutes to compile.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +9,8 @@
 
 namespace assur::loops {
 
-/// A matrix of some rows and columns, of which the first ones are eliminated; zero at first. The
-/// bounds of both may be Eigen::Dynamic.
+/// A matrix whose first columns can be eliminated; initially zero. The bounds of rows and columns
+/// may be Eigen::Dynamic.
 template <typename Scalar, int MostRows, int MostColumns>
 class SmallSystem {
  public:
@@ -25,11 +25,11 @@ class SmallSystem {
       }
     }
   }
-  /// Eliminates some of the first columns; the last pivot in parts of the first.
+  /// Eliminates `rank` of the first columns; returns the ratio of the last pivot to the first.
   [[nodiscard]] double eliminate(Eigen::Index columns, Eigen::Index rank) {
     return local::eliminate(table_, static_cast<int>(columns), static_cast<int>(rank), pivots_);
   }
-  /// Eliminates columns as long as pivots exceed a part of the first one; their number.
+  /// Eliminates columns as long as pivots exceed a fraction of the first one; returns their number.
   [[nodiscard]] Eigen::Index eliminate_above(double part, Eigen::Index columns) {
     pivots_.begin(table_.rows(), static_cast<int>(columns));
     double first = 0;
@@ -44,7 +44,7 @@ class SmallSystem {
     }
     return rank;
   }
-  /// The row that eliminates a column; -1 where none does.
+  /// The pivot row of a column; -1 if there is none.
   [[nodiscard]] int row_of(Eigen::Index column) const {
     return pivots_.row_of(static_cast<int>(column));
   }
@@ -65,7 +65,7 @@ class SmallSystem {
 template <typename Of, typename Scalar>
 using ClosureSystem = SmallSystem<Scalar, Of::closures, 2 * Of::closures>;
 
-/// A^-1 B; NaN where A has no inverse.
+/// A^-1 B; NaN if A has no inverse.
 template <typename Of, typename Square, typename Right>
 [[nodiscard]] Right solved(const Square& A, const Right& B) {
   using Scalar = typename Right::Scalar;

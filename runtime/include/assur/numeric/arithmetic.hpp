@@ -1,4 +1,5 @@
-// Turns the arithmetic of the compiler and of the processor into whether error bounds hold.
+// Checks that the arithmetic of compiler and processor satisfies the assumptions of the error
+// bounds.
 #pragma once
 
 #include <assur/numeric/double_double.hpp>
@@ -6,9 +7,9 @@
 
 namespace assur::numeric {
 
-/// Whether the compiler promises to round every sum, product and quotient once, where it is
-/// written, and to half an ulp of the scalar, double or float. Bounds of rounding are derived from
-/// that. Where float is computed in double, it is rounded twice.
+/// Whether the compiler promises to round every sum, product and quotient once, as written, and to
+/// half an ulp of the scalar, double or float. Error bounds are derived from that. If float is
+/// computed in double, it is rounded twice.
 template <typename Scalar>
 inline constexpr bool rounds_as_written = std::numeric_limits<Scalar>::is_iec559 &&
                                           (std::numeric_limits<Scalar>::digits == 53
@@ -17,8 +18,8 @@ inline constexpr bool rounds_as_written = std::numeric_limits<Scalar>::is_iec559
 #endif
                                           );
 
-/// Whether error-free sums and products are exact. Not every compiler tells what it rearranges, and
-/// none tells how the processor rounds, so some are computed here, at run time.
+/// Whether error-free sums and products are exact. Not every compiler reports what it rearranges,
+/// and none reports the rounding mode, so some are computed here, at run time.
 template <typename Scalar>
 [[nodiscard]] bool sums_are_exact() {
   constexpr int digits = std::numeric_limits<Scalar>::digits;
@@ -39,7 +40,7 @@ template <typename Scalar>
          (square.low == little * little);
 }
 
-/// Whether subnormal numbers are told from zero.
+/// Whether subnormal numbers differ from zero.
 template <typename Scalar>
 [[nodiscard]] bool keeps_subnormals() {
   const volatile Scalar least = (std::numeric_limits<Scalar>::min)();

@@ -1,4 +1,4 @@
-// Turns arithmetic into arithmetic with a bound of its rounding error, to certify a result.
+// Arithmetic with a running bound on the rounding error.
 #pragma once
 
 #include <assur/numeric/double_double.hpp>
@@ -9,8 +9,8 @@
 namespace assur::numeric {
 
 /// `value` differs from the exact result of the same operations on the same inputs by at most
-/// `bound`. Inputs are exact. Bounds are kept in the precision of the scalar, of a double word in
-/// that of its parts, and are themselves rounded; `certain_bound` adds what that may have lost.
+/// `bound`. Inputs are exact. Bounds have the precision of the scalar, for a double word that of
+/// its parts, and are themselves rounded; `certain_bound` allows for that.
 template <typename Scalar>
 struct Bounded {
   using Bound = typename PartOf<Scalar>::Type;
@@ -20,7 +20,7 @@ struct Bounded {
   Bounded() = default;
   Bounded(Scalar exact) : value(exact) {}
   Bounded(int exact) : value(static_cast<Scalar>(exact)) {}
-  /// A constant of generated code, which a scalar of fewer digits than double rounds.
+  /// A constant of generated code, rounded if the scalar has fewer digits than double.
   template <
       typename Number,
       std::enable_if_t<std::is_same_v<Number, double> && !std::is_same_v<Scalar, double>, int> = 0>

@@ -1,16 +1,16 @@
-// Turns two numbers of one precision into one number of twice the digits.
+// Double-word arithmetic: two numbers of one precision as one number of twice the digits.
 //
 // The number is the unevaluated sum high + low, |low| <= ulp(high)/2: of two doubles about 106
 // significant bits over the exponent range of double, of two floats about 48. Used to decide signs
-// that one part leaves open, so every operation below carries a proven relative error bound
-// (Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of
-// double-word arithmetic", ACM TOMS 44(2), 2017; square root: Lefevre et al., ACM TOMS 49(1),
-// 2023), with u = 2^-p, p the digits of a part, 53 of double and 24 of float:
+// that one part leaves open, so every operation below has a proven relative error bound (Joldes,
+// Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of double-word
+// arithmetic", ACM TOMS 44(2), 2017; square root: Lefevre et al., ACM TOMS 49(1), 2023), with u =
+// 2^-p, p the digits of a part, 53 of double and 24 of float:
 //   sum 3u^2,  product 5u^2,  quotient 15u^2,  square root 25/8 u^2   -- all below 16u^2.
 // The bounds hold in any precision p >= 7, and need round-to-nearest, no overflow, and no underflow
 // of the low parts: keep magnitudes of doubles between ~1e-270 and ~1e290, of floats between ~1e-24
-// and ~1e30. Nothing depends on whether the processor has a fused product, and `sums_are_exact` of
-// arithmetic.hpp tells whether sums are.
+// and ~1e30. Results do not depend on a fused multiply-add; `sums_are_exact` of arithmetic.hpp
+// checks the sums.
 #pragma once
 
 #include <assur/numeric/precision.hpp>
@@ -51,7 +51,7 @@ constexpr DoubleWord<Part> halves_of(Part a) {
   return {high, a - high};
 }
 
-/// Whether the processor has a fused product of such numbers.
+/// Whether the processor has a fused multiply-add for such numbers.
 #if defined(__FMA__) || defined(__aarch64__)
 template <typename Part>
 inline constexpr bool has_fused_product = true;
@@ -68,10 +68,9 @@ inline constexpr bool has_fused_product<float> = true;
 #endif
 #endif
 
-/// Returns the exact product: a * b = high + low (unless the low part underflows). Where the
-/// processor has no fused product, that of a library may be slow or round twice; then the method is
-/// Dekker's, in which every product of halves is exact. Compilers that may fuse products do have
-/// the processor's.
+/// Returns the exact product: a * b = high + low (unless the low part underflows). Without a fused
+/// multiply-add in the processor, that of a library may be slow or round twice; then Dekker's
+/// method is used, in which every product of halves is exact.
 template <typename Part>
 constexpr DoubleWord<Part> two_prod(Part a, Part b) {
   const Part product = a * b;
@@ -95,7 +94,7 @@ struct DoubleWord {
   constexpr DoubleWord(Part value) : high(value) {}
   constexpr DoubleWord(int value) : high(static_cast<Part>(value)) {}
   constexpr DoubleWord(Part high_part, Part low_part) : high(high_part), low(low_part) {}
-  /// A constant of generated code, to the digits that two parts hold.
+  /// A constant of generated code, to the digits of both parts.
   template <
       typename Number,
       std::enable_if_t<std::is_same_v<Number, double> && !std::is_same_v<Part, double>, int> = 0>
@@ -130,7 +129,7 @@ struct DoubleWord {
     return fast_two_sum(quotient, rest / b.high);
   }
 
-  // Not a number for a negative argument, like std::sqrt.
+  // NaN for a negative argument, like std::sqrt.
   friend DoubleWord sqrt(DoubleWord a) {
     const Part root = std::sqrt(a.high);
     if (root == Part(0)) return {root, Part(0)};  // the correction below would divide by zero

@@ -1,7 +1,7 @@
-// Turns matrices of fixed size into others by plain loops over their entries.
+// Entrywise operations on matrices of fixed size by plain loops.
 //
-// Eigen makes types of every expression, and a compiler of emitted solvers would spend more time on
-// these than on all else. The loops make none; they are asked to be unrolled, as Eigen's are.
+// Eigen's expression templates would dominate the compile time of emitted solvers. The loops are
+// marked for unrolling, as Eigen's are.
 #pragma once
 
 #include <algorithm>

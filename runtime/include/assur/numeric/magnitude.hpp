@@ -1,4 +1,4 @@
-// Turns arithmetic on unknown numbers of known size into the size and the rounding of its results.
+// Arithmetic on magnitudes: size and rounding error of results for all operands of bounded size.
 #pragma once
 
 #include <cmath>
@@ -6,8 +6,8 @@
 
 namespace assur::numeric {
 
-/// Numbers of absolute value `size` at most, in which rounding leaves an error of `units` times
-/// half an epsilon at most. What is computed from these holds for all numbers that are no larger.
+/// Numbers of absolute value at most `size` with a rounding error of at most `units` times half an
+/// epsilon. Results hold for all numbers that are no larger.
 struct Magnitude {
   double size = 0;
   double units = 0;
@@ -18,18 +18,18 @@ struct Magnitude {
   explicit Magnitude(int number) : size(std::abs(number)) {}
   Magnitude(double most, double error) : size(most), units(error) {}
 
-  /// An error alone, of a number that is zero.
+  /// A zero with an error.
   static Magnitude error(double most) {
     return {0, most / (std::numeric_limits<double>::epsilon() / 2)};
   }
   static constexpr double given_units = 4;
-  /// A variable that is known to a few roundings of a number of its size.
+  /// A variable with an error of a few roundings of its size.
   static Magnitude given(double most) { return {most, given_units * most}; }
   static constexpr double given_rounding() {
     return given_units * std::numeric_limits<double>::epsilon() / 2;
   }
 
-  /// The largest error; an eighth more for the rounding of this estimate and higher orders.
+  /// The largest error, with an eighth added for the rounding of this estimate and higher orders.
   [[nodiscard]] double rounding() const {
     return units * (std::numeric_limits<double>::epsilon() / 2) * 1.125;
   }
@@ -42,7 +42,7 @@ struct Magnitude {
   friend Magnitude operator*(const Magnitude& a, const Magnitude& b) {
     return {a.size * b.size, a.size * b.units + a.units * b.size + a.size * b.size};
   }
-  /// Only constants of generated code are divisors; any other divisor has no least size.
+  /// Only constants of generated code are divisors; any other divisor has no lower bound.
   friend Magnitude operator/(const Magnitude& a, const Magnitude& b) {
     if (b.units > b.size) {
       constexpr double none = std::numeric_limits<double>::infinity();

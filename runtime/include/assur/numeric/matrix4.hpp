@@ -1,8 +1,8 @@
-// Turns vectors of four numbers and square matrices of them into sums, products, solutions of
-// linear equations and null spaces.
+// Linear algebra of vectors and square matrices of dimension four: products, solutions and null
+// spaces.
 //
-// Loops of a fixed length, because expression templates would make up most of the time that a
-// program with one emitted solver takes to compile.
+// Plain loops of fixed length, because expression templates would take most of the compile time of
+// a program with one emitted solver.
 #pragma once
 
 #include <algorithm>
@@ -69,7 +69,7 @@ struct Matrix4 {
   return {{dot(A.column(0), x), dot(A.column(1), x), dot(A.column(2), x), dot(A.column(3), x)}};
 }
 
-/// Gauss's elimination of a matrix with full pivoting: the factors L and U, with the rows and
+/// Gaussian elimination of a matrix with full pivoting: the factors L and U, with the rows and
 /// columns of the matrix in the order in which they were eliminated.
 class Elimination {
  public:
@@ -116,7 +116,7 @@ class Elimination {
   }
 
  private:
-  /// Exchanges rows and columns so that the largest number left is the next pivot. Returns its
+  /// Exchanges rows and columns so that the largest remaining entry is the next pivot. Returns its
   /// size.
   double bring_pivot(int step) {
     int row = step;

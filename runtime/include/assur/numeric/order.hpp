@@ -1,4 +1,4 @@
-// Turns a short list into a sorted one, by keys whose entries carry rounding errors.
+// Sorting of short lists by keys whose entries have rounding errors.
 #pragma once
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 
 namespace assur::numeric {
 
-/// A difference of two entries of keys counts above this, relative to the larger of the entry and
-/// its unit: 1e-6 in double, 1e-3 in float. Rounding moves a double configuration by the root of
-/// epsilon.
+/// Two key entries differ if their difference exceeds this, relative to the larger of the entry and
+/// its unit: 1e-6 in double, 1e-3 in float. Rounding moves a double configuration by the square
+/// root of epsilon.
 template <typename Scalar>
 inline constexpr Scalar key_rounding = static_cast<Scalar>(last_regular_digit<Scalar>);
 
@@ -20,12 +20,12 @@ template <typename Scalar>
   return std::abs(left - right) > key_rounding<Scalar> * (one + std::abs(left));
 }
 
-/// Whether one key comes before another of its size, by the first entry from `from` on that
-/// differs; the entries before are the same. From `lengths_from` on, entries count in the unit
-/// `one`. A difference is relative to the larger of the entry and its unit, and counts above
-/// `key_rounding`. Two keys that are close together as a whole belong to configurations that meet.
-/// There every difference falls with the distance, so each counts in parts of the largest: the
-/// first entry by which the keys differ stays the first.
+/// Whether one key comes before another of its size, by the first entry from index `from` on that
+/// differs; the entries before are equal. From `lengths_from` on, entries have the unit `one`. A
+/// difference is relative to the larger of the entry and its unit, and must exceed `key_rounding`.
+/// Two keys that are close as a whole belong to configurations that meet. There every difference
+/// falls with the distance, so each is taken relative to the largest: the first entry that differs
+/// stays the first.
 template <typename Key>
 [[nodiscard]] bool comes_before(const Key& left, const Key& right, std::size_t lengths_from,
                                 typename Key::value_type one, std::size_t from = 0) {
@@ -54,8 +54,8 @@ template <typename Key>
   return false;
 }
 
-/// Sorts `count` entries, given by their places, by insertion: equal ones keep their places, and
-/// a comparison that is not transitive, as of keys with a tolerance, does no harm.
+/// Sorts `count` entries, given by their indices, by insertion: the sort is stable, and a
+/// comparison that is not transitive, as of keys with a tolerance, does no harm.
 template <typename Before, typename Exchange>
 [[gnu::always_inline]] inline void insertion_sort(std::size_t count, Before before,
                                                   Exchange exchange) {

@@ -1,4 +1,4 @@
-// Turns arithmetic on one number into the same arithmetic on several numbers at once.
+// Packs: arithmetic on several numbers at once.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +12,8 @@
 
 namespace assur::numeric {
 
-/// The type of numbers side by side that compilers have, whether or not the processor has a unit
-/// for it, and the type of as many integers of their size.
+/// The compiler's vector type, available with or without vector instructions, and the type of as
+/// many integers of the same size.
 template <typename Scalar, std::size_t Lanes>
 struct SideBySide {
   /// The alignment of entries in Eigen's matrices: 16 bytes without AVX, however many lanes there
@@ -29,8 +29,8 @@ struct SideBySide {
   using Integers = decltype(Type() < Type());
 };
 
-/// The truth of a comparison for each number of a pack (all bits are set where it holds, and none
-/// where it does not). As a bool, it tells whether the comparison holds for all of them.
+/// The truth of a comparison for each number of a pack (all bits set if it holds, none if not). As
+/// a bool, whether it holds for all of them.
 template <typename Scalar, std::size_t Lanes>
 class PackTruth {
   using Integers = typename SideBySide<Scalar, Lanes>::Integers;
@@ -63,7 +63,7 @@ class PackTruth {
 #endif
     unsigned result = 0;
     for (std::size_t lane = 0; lane < Lanes; ++lane) {
-      // In one expression GCC 12 reads the lane before it is set where shifts are sanitized.
+      // In one expression GCC 12 with sanitized shifts reads the lane before it is set.
       const unsigned holds = holds_[lane] < 0 ? 1U : 0U;
       result |= holds << lane;
     }
@@ -101,8 +101,7 @@ struct HalvesInFront {
 };
 inline constexpr HalvesInFront halves_in_front;
 
-/// Several numbers on which the same is computed at once. A comparison does not hold where one of
-/// its operands is NaN.
+/// Several numbers processed at once. A comparison is false in lanes in which an operand is NaN.
 template <typename Scalar, std::size_t Lanes>
 class PackOf {
   using Numbers = typename SideBySide<Scalar, Lanes>::Type;
@@ -145,15 +144,15 @@ class PackOf {
       std::enable_if_t<std::is_same_v<Number, double> && !std::is_same_v<Scalar, double>, int> = 0>
   PackOf(Number one) : PackOf(static_cast<Scalar>(one)) {}
 
-  /// One number, and after it the numbers that are larger by one, two, ...
+  /// The numbers from, from + 1, from + 2, ...
   [[nodiscard]] static PackOf counted(Scalar from) {
     return counted(from, std::make_index_sequence<Lanes>());
   }
-  /// Numbers that stand one after the other.
+  /// Consecutive numbers in memory.
   [[nodiscard]] static PackOf load(const Scalar* from) {
     return PackOf(Numbers(reinterpret_cast<const Anywhere*>(from)->numbers));
   }
-  /// Numbers that stand anywhere among others.
+  /// Numbers at given indices in memory.
   [[nodiscard]] static PackOf gather(const Scalar* from, const std::array<std::size_t, Lanes>& at) {
     return gather(from, at, std::make_index_sequence<Lanes>());
   }
@@ -226,7 +225,7 @@ class PackOf {
     roots = roots.sqrt().eval();
     return load(roots.data());
   }
-  /// 2^-e of 2^e m, 1 <= m < 2, where both are normal numbers.
+  /// 2^-e of 2^e m, 1 <= m < 2, if both are normal numbers.
   friend PackOf inverse_power_of_two(const PackOf& a) {
     using Limits = std::numeric_limits<Scalar>;
     constexpr int below_exponent = Limits::digits - 1;
@@ -245,7 +244,7 @@ class PackOf {
     return y;
   }
 
-  /// A bit for each number, set where it is below zero or minus zero.
+  /// A bit for each number, set if it is below zero or minus zero.
   [[nodiscard]] unsigned signs() const {
     return Truth(reinterpret_cast<Integers>(numbers_)).bits();
   }
@@ -267,8 +266,7 @@ struct PartOf<PackOf<Scalar, Lanes>> {
   using Type = Scalar;
 };
 
-/// How many doubles the processor that a program is compiled for takes at once; two where it has no
-/// unit for that.
+/// The number of doubles per vector register of the target processor; two if it has none.
 #if defined(__AVX512F__)
 inline constexpr std::size_t native_lanes = 8;
 #elif defined(__AVX__)

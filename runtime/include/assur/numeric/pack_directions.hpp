@@ -1,4 +1,4 @@
-// Turns several angles into their directions.
+// Directions of several angles at once.
 #pragma once
 
 #include <assur/model.hpp>
@@ -8,8 +8,8 @@
 
 namespace assur::numeric {
 
-/// Finds lane by lane what `assur::direction_of` finds for one angle: compilers call one function
-/// for cosine and sine of a number.
+/// `assur::direction_of`, lane by lane: compilers call one function for the cosine and sine of a
+/// number.
 template <typename Scalar, std::size_t Lanes>
 [[nodiscard]] Direction<PackOf<Scalar, Lanes>> direction_of(PackOf<Scalar, Lanes> angle) {
   Direction<PackOf<Scalar, Lanes>> direction;

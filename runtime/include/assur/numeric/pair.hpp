@@ -1,4 +1,4 @@
-// Turns arithmetic on one number into the same arithmetic on two numbers at once.
+// Pairs: arithmetic on two numbers at once.
 #pragma once
 
 #include <assur/model.hpp>
@@ -8,12 +8,12 @@
 
 namespace assur::numeric {
 
-/// Two numbers on which the same is computed at once.
+/// Two numbers processed at once.
 template <typename Scalar>
 using PairOf = PackOf<Scalar, 2>;
 using Pair = PairOf<double>;
 
-/// One number of a pair; a number that is no pair is the same for both.
+/// One number of a pair; a plain number stands for both.
 template <typename Scalar>
 [[nodiscard]] Scalar lane(const PairOf<Scalar>& pair, std::size_t index) {
   return pair[index];

@@ -1,4 +1,4 @@
-// Turns a bracket that holds one root of a polynomial into that root.
+// Root of a polynomial in an isolating bracket.
 #pragma once
 
 #include <array>
@@ -17,10 +17,10 @@ struct Bracket {
 };
 
 /// Makes one step towards the root, to be repeated with iteration = 0, 1, ... until it is done.
-/// `power` holds ascending coefficients; below `noise`, the value of the polynomial is rounding.
-/// Three steps of Halley's method nearly always suffice. Roots close to each other need more steps,
-/// which take the zero of the local parabola on its rising or its falling side, as the bracket
-/// tells.
+/// `power` holds ascending coefficients; below `noise`, the value of the polynomial is due to
+/// rounding. Three steps of Halley's method nearly always suffice. Close roots need more steps,
+/// which take the zero of the local parabola on its rising or falling side, according to the
+/// bracket.
 template <class Scalar, std::size_t Size>
 inline void improve(Bracket<Scalar>& b, const std::array<Scalar, Size>& power, Scalar noise,
                     int iteration) {
@@ -48,9 +48,9 @@ inline void improve(Bracket<Scalar>& b, const std::array<Scalar, Size>& power, S
   b.right = on_left ? b.right : b.t;
   const Scalar next = b.t - step;
   const bool inside = next >= b.left && next <= b.right;
-  // Done when the error left, about step^3 ((p''/2p')^2 + p'''/6p'), is below the effect of
-  // rounding p, u / p', or when p itself is. The slope tells the root from a neighbour just outside
-  // the bracket.
+  // Done if the remaining error, about step^3 ((p''/2p')^2 + p'''/6p'), is below the effect of
+  // rounding p, u / p', or if p itself is. The slope distinguishes the root from a neighbour just
+  // outside the bracket.
   const Scalar u = std::numeric_limits<Scalar>::epsilon() / Scalar(2);
   const bool exact = Scalar(512) * abs(step) * step * step * (square + bend * bend) <= u * square;
   const bool lost = abs(value) <= noise;

@@ -1,4 +1,4 @@
-// Turns a scalar into the units in which tolerances of its precision count.
+// Constants of a scalar's precision, as units of tolerances.
 #pragma once
 
 #include <algorithm>
@@ -7,13 +7,13 @@
 
 namespace assur::numeric {
 
-/// The scalar of which a compound one is made, in which bounds and sizes are given.
+/// The scalar of the parts of a compound one, in which bounds and sizes are given.
 template <typename Scalar>
 struct PartOf {
   using Type = Scalar;
 };
 
-/// 2^exponent, where the scalar has it. It is for constants only: elsewhere Clang 14 calls it at
+/// 2^exponent, if the scalar can represent it. For constants only: elsewhere Clang 14 calls it at
 /// run time.
 template <typename Scalar>
 [[nodiscard]] constexpr Scalar power_of_two(int exponent) {
@@ -38,16 +38,16 @@ template <typename Scalar>
 inline constexpr Scalar roundings_of_double =
     power_of_two<Scalar>(std::numeric_limits<double>::digits - std::numeric_limits<Scalar>::digits);
 
-/// What a sum of products of a few numbers near one may lose where products of small ones are
-/// flushed to zero. In double it is less than anything that it could be added to.
+/// The error of a sum of products of a few numbers near one if products of small ones are flushed
+/// to zero. In double it is negligible.
 template <typename Scalar>
 inline constexpr Scalar lost_in_underflow = std::numeric_limits<Scalar>::max_exponent < 1024
                                                 ? power_of_two<Scalar>(12) *
                                                       (std::numeric_limits<Scalar>::min)()
                                                 : Scalar(0);
 
-/// The digits that derivatives of a regular configuration keep: half of those that the scalar has,
-/// and six at most. These are six in double and three in float.
+/// The correct digits of derivatives in a regular configuration: half of those of the scalar, and
+/// at most six. These are six in double and three in float.
 template <typename Scalar>
 inline constexpr int regular_digits = std::numeric_limits<Scalar>::is_specialized
                                           ? (std::min)(6, std::numeric_limits<Scalar>::digits10 / 2)

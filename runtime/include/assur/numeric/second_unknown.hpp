@@ -1,4 +1,4 @@
-// Turns a model's two reduced equations, where the first unknown is known, into the second.
+// The second unknown of a model from its two reduced equations, once the first is known.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ template <typename Scalar>
 [[nodiscard]] typename PartOf<Scalar>::Type size_of(const Scalar& value) {
   return std::abs(static_cast<typename PartOf<Scalar>::Type>(value));
 }
-/// The scalar that tells how badly a value of an unknown fits.
+/// The scalar of the residual of an unknown's value.
 template <typename Unknown>
 struct MissOf {
   using Type = typename PartOf<Unknown>::Type;
@@ -27,7 +27,7 @@ struct MissOf<Direction<Scalar>> {
   using Type = typename PartOf<Scalar>::Type;
 };
 
-/// Values of the second unknown that satisfy one of the equations, with how badly they miss both,
+/// Values of the second unknown that satisfy one of the equations, with their residuals in both,
 /// relative to the size of the coefficients. Both equations hold at an assembly.
 template <typename Unknown>
 struct SecondCandidates {
@@ -68,7 +68,7 @@ void add_candidate(const Matrix<Scalar, 2, 3>& e, const Unknown& z,
 }
 
 /// a cos z + b sin z + c = 0: the foot of the perpendicular from the origin on the line, and from
-/// there to both sides. A line that rounding keeps off the circle counts as touching it.
+/// there to both sides. A line that misses the circle by rounding counts as touching it.
 template <typename Scalar>
 void solve_row(const Matrix<Scalar, 2, 3>& e, int row,
                SecondCandidates<Direction<Scalar>>& candidates) {
@@ -111,7 +111,8 @@ void solve_row(const Matrix<Scalar, 2, 3>& e, int row, SecondCandidates<Scalar>&
   }
 }
 
-/// How well a row determines an angle: the square of the sine at which its line cuts the circle.
+/// How well a row determines an angle: the square of the sine of the angle between its line and the
+/// circle.
 template <typename Scalar>
 [[nodiscard]] typename PartOf<Scalar>::Type sharpness(const Matrix<Scalar, 2, 3>& e, int row) {
   using Part = typename PartOf<Scalar>::Type;
@@ -122,8 +123,8 @@ template <typename Scalar>
   return square > 0 ? (square - c * c) / square : -1;
 }
 
-/// All candidates, those that miss least first. Where one row alone determines an angle well, the
-/// other only chooses between its two.
+/// All candidates, by ascending residual. If one row alone determines an angle well, the other only
+/// chooses between its two values.
 template <typename Unknown, typename Scalar>
 [[nodiscard]] SecondCandidates<Unknown> second_candidates(const Matrix<Scalar, 2, 3>& e) {
   SecondCandidates<Unknown> candidates;
@@ -146,8 +147,8 @@ template <typename Unknown, typename Scalar>
   return candidates;
 }
 
-/// The root that both equations have in common: they are linear in the cosine and the sine, or in
-/// the displacement and its square. It is NaN where they do not determine it.
+/// The common root of both equations, which are linear in the cosine and the sine, or in the
+/// displacement and its square. NaN if they do not determine it.
 template <typename Unknown, typename Scalar>
 [[nodiscard]] Unknown common_root(const Matrix<Scalar, 2, 3>& e) {
   const Scalar determinant = e(0, 0) * e(1, 1) - e(0, 1) * e(1, 0);

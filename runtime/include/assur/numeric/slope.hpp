@@ -1,4 +1,4 @@
-// Turns sums and products of numbers into those of numbers with a derivative.
+// Dual numbers: arithmetic on numbers with a derivative.
 #pragma once
 
 #include <type_traits>

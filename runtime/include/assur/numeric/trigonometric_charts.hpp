@@ -1,4 +1,4 @@
-// Turns a trigonometric polynomial into Bernstein form on four charts, with error bounds.
+// Bernstein form of a trigonometric polynomial on four charts, with error bounds.
 //
 // Error bounds. With (x, y) = (cos th/2, sin th/2), the polynomial T of order N is a form F of
 // degree D = 2N in (x, y). Let u = epsilon/2, let S be the sum of |cosine[k]| + |sine[k]|, and let

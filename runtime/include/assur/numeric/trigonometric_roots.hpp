@@ -1,7 +1,7 @@
-// Turns a trigonometric polynomial into all its real roots, with a certified count.
+// All real roots of a trigonometric polynomial, with a certified count.
 //
-// All real roots in [0, 2 pi) of T(th) = sum_{k=0..N} cosine[k] cos(k th) + sine[k] sin(k th), N <=
-// 3, with a certified count. No heap, no exceptions. Scalar is double, DoubleDouble, or any type
+// The roots in [0, 2 pi) are those of T(th) = sum_{k=0..N} cosine[k] cos(k th) + sine[k] sin(k th),
+// N <= 3. There is no heap allocation and no exception. Scalar is double, DoubleDouble, or any type
 // with + - * /, comparisons, abs, sqrt, double() and numeric_limits::epsilon(), twice the largest
 // relative error of those operations; rounding to nearest.
 //
@@ -50,9 +50,9 @@ struct TrigonometricRoot {
   Scalar slope;           ///< dT/dth there; the error of the root is about (error of T) / |slope|
 };
 
-/// An arc, angle +- half_width, of roots that could not be told apart. It holds max_roots roots
-/// with multiplicity, or fewer by an even number. T is certainly not zero at the ends of an arc
-/// inside it that holds them all.
+/// An arc, angle +- half_width, of roots that could not be separated. It holds max_roots roots with
+/// multiplicity, or fewer by an even number. T is certainly not zero at the ends of an arc inside
+/// it that holds them all.
 template <class Scalar>
 struct RootCluster {
   AngleOf<Scalar> angle;  ///< where T is flattest: the nearly multiple root; in [0, 2 pi)
@@ -133,7 +133,7 @@ class TrigonometricRootSearch {
     }
     if (!(not_finite == Scalar(0)) || !(coefficient_error >= Scalar(0))) return RootStatus::invalid;
     add_up();
-    // All that follows is linear in T, but for ratios of degree four: keep them far from overflow
+    // All further steps are linear in T, except ratios of degree four: keep these far from overflow
     // and underflow. (The sum itself may have overflowed.)
     using Part = typename PartOf<Scalar>::Type;
     constexpr Part most = power_of_two<Part>(most_power);
@@ -192,9 +192,9 @@ class TrigonometricRootSearch {
     if (arc.max_roots == 1) return bracket(chart, arc);
     const Scalar width = arc.right - arc.left;
     bool hopeless = arc.depth == max_depth;
-    // Halving soon settles separate roots. What is left is nearly multiple: cut where T is flattest
-    // or, if T is too small there, at the distance on either side where it should exceed its error.
-    // Such a cut may take off next to nothing, again and again: then halving comes first.
+    // Halving soon isolates separate roots. The remaining ones are nearly multiple: cut where T is
+    // flattest or, if T is too small there, at the distance on either side where it should exceed
+    // its error. Such a cut may remove very little, again and again: then halving comes first.
     if (arc.wide && !hopeless && cut(chart, arc, Scalar(0.5))) return;
     if (arc.depth >= 2 && !hopeless) {
       const auto [t, coefficient] = flattest(chart, arc);
@@ -271,8 +271,8 @@ class TrigonometricRootSearch {
     return {t, slope / Scalar(arc.max_roots)};
   }
 
-  /// Returns a first guess: where the control polygon crosses zero. Its sign changes once, but for
-  /// uncertain coefficients.
+  /// Returns a first guess: where the control polygon crosses zero. Its sign changes once, apart
+  /// from uncertain coefficients.
   void bracket(std::size_t chart, const Arc& arc) {
     const Polynomial& b = arc.bernstein;
     std::size_t i = 1;

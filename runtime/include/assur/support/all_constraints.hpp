@@ -1,5 +1,4 @@
-// The places that links have by all constraints of a mechanism, redundant ones among them, and the
-// rates that follow from these.
+// Link positions and rates from all constraints of a mechanism, the redundant ones included.
 #pragma once
 
 #include <algorithm>
@@ -18,9 +17,9 @@
 
 namespace assur::support {
 
-/// Two features, and which coordinates (x, y, theta) of the second one in the frame of the first
-/// vanish. `first` and `second` are the places of their links among those that move; a feature with
-/// a negative place is on a link that drivers place, and in the ground's frame.
+/// Two features; `holds` marks the coordinates (x, y, theta) of the second one in the frame of the
+/// first that vanish. `first` and `second` index the moving links; a negative index means a link
+/// placed by drivers, and the feature is then in the ground's frame.
 template <typename Frame>
 struct HeldPair {
   int first, second;
@@ -52,9 +51,9 @@ class AllConstraints {
     constraints_.measure(poses_);
   }
 
-  /// Closes all constraints as far as they can be closed from nearby. Where J has full column rank
-  /// to rounding, rates and regularity follow from all constraints. Returns whether the constraints
-  /// hold, and agree in the rates where these are known.
+  /// Closes all constraints as far as possible from the present poses. If J has full column rank to
+  /// rounding, rates and regularity follow from all constraints. Returns whether the constraints
+  /// hold, and agree in the known rates.
   [[nodiscard]] bool settle(Status& regularity) {
     local::close(constraints_, poses_);
     for (std::size_t link = 0; link < Links; ++link) {
@@ -79,8 +78,8 @@ class AllConstraints {
   }
   [[nodiscard]] static Plane place_of(const Frame& frame) { return {frame.pose.x, frame.pose.y}; }
 
-  /// The derivatives of f in a column of the links' rates or gradients; `twice` adds what the rates
-  /// of first order contribute to derivatives of second order.
+  /// The derivatives of f for a column of the links' rates or gradients; `twice` adds the terms of
+  /// second order in the first rates.
   template <typename Column>
   [[nodiscard]] Open slopes(const Column& column, bool twice) const {
     Open result;
@@ -108,17 +107,18 @@ class AllConstraints {
     return result;
   }
 
-  /// How a column of rates or gradients was solved: the norms of the rates of q, of the derivatives
-  /// of f from which they follow, and of what is left of these.
+  /// Norms of a solution for a column of rates or gradients: of the rates of q, of the derivatives
+  /// of f that determine them, and of the residual.
   struct Solved {
     Scalar rates, open, left;
 
-    /// Whether more is left than a part of what there was: then the constraints do not agree.
+    /// Whether the residual exceeds a fraction of the right-hand side: then the constraints
+    /// contradict each other.
     [[nodiscard]] bool contradicts(Scalar part, Scalar more = 0) const {
       return left > part * (open + more);
     }
   };
-  /// Solves for a column of all links, which has to be zero before.
+  /// Solves for a column of all links, which must be zero before the call.
   template <typename Column>
   [[nodiscard]] Solved solve_column(const Factors& factors, const Jacobian& J, const Column& column,
                                     bool twice) {
@@ -130,7 +130,8 @@ class AllConstraints {
     return {rates.norm(), open.norm(), (J * rates + open).norm()};
   }
 
-  /// Sets the rates to NaN: the groups alone give those of only one of several motions.
+  /// Sets the rates to NaN: several motions are possible, and the groups alone give only one of
+  /// them.
   void forget_rates() {
     for (Frame* link : links_) {
       link->rates.setConstant(std::numeric_limits<Scalar>::quiet_NaN());
@@ -138,7 +139,7 @@ class AllConstraints {
     }
   }
 
-  /// Finds the rates. Returns whether the constraints agree in them, where they are known.
+  /// Finds the rates. Returns whether the constraints agree in the known ones.
   [[nodiscard]] bool find_rates(Status& regularity) {
     const Jacobian J = constraints_.jacobian(poses_);
     const Factors factors = local::factors_of<Constraints>(J);
@@ -177,7 +178,7 @@ class AllConstraints {
     if constexpr (Parameters > 0) {
       for (int parameter = 0; parameter < Parameters; ++parameter) {
         const auto gradient = [parameter](auto& frame) { return frame.gradient.col(parameter); };
-        // A gradient is not known where constraints without the parameter contradict it.
+        // A gradient is unknown if constraints that do not contain the parameter contradict it.
         if (solve_column(factors, J, gradient, false).contradicts(of_rates)) {
           for (Frame* link : links_) {
             gradient(*link).setConstant(std::numeric_limits<Scalar>::quiet_NaN());

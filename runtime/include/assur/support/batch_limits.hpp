@@ -1,5 +1,4 @@
-// Turns the coordinates of joints of several mechanisms and their limits into the mechanisms that
-// keep these, and into those of which that is certain.
+// Joint limits of several mechanisms at once: which are kept, and which certainly.
 #pragma once
 
 #include <assur/numeric/pack.hpp>
@@ -8,14 +7,14 @@
 
 namespace assur::support {
 
-/// The lanes in which limits are kept, and those in which that is certain in spite of rounding;
-/// regular configurations keep six digits.
+/// The lanes in which limits are kept, and those in which that is certain despite rounding, six
+/// digits being correct in regular configurations.
 template <typename Truth>
 struct KeptLimits {
   Truth kept;
   Truth certain;
 
-  /// Whether both are kept. That is certain, too, where one of them is certainly not kept.
+  /// Whether both are kept. This is also certain if one of them is certainly not kept.
   friend KeptLimits operator&&(const KeptLimits& one, const KeptLimits& other) {
     return {one.kept & other.kept, (one.certain & other.certain) | (one.certain & !one.kept) |
                                        (other.certain & !other.kept)};
@@ -29,7 +28,7 @@ template <typename Scalar, std::size_t Lanes>
   return Pack(1e-6) * larger(Pack(1), larger(abs(lowest), abs(highest)));
 }
 
-/// Tells lane by lane what `is_between` tells for one.
+/// `is_between`, lane by lane.
 template <typename Scalar, std::size_t Lanes>
 [[nodiscard]] auto is_between(const numeric::PackOf<Scalar, Lanes>& lowest,
                               const numeric::PackOf<Scalar, Lanes>& displacement,
@@ -40,7 +39,7 @@ template <typename Scalar, std::size_t Lanes>
   return KeptLimits<numeric::PackTruth<Scalar, Lanes>>{inside, inside | outside};
 }
 
-/// Tells lane by lane what `is_turned_between` tells for one.
+/// `is_turned_between`, lane by lane.
 template <typename Scalar, std::size_t Lanes>
 [[nodiscard]] auto is_turned_between(const numeric::PackOf<Scalar, Lanes>& lowest,
                                      const numeric::PackOf<Scalar, Lanes>& angle,

@@ -1,5 +1,5 @@
-// Turns the keys of two configurations of each of several instances of an emitted solver into which
-// of them comes first, and into whether rounding could change that.
+// Order of two configurations in each of several instances of an emitted solver, and whether
+// rounding could change it.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@
 
 namespace assur::support {
 
-/// The lanes of a pack in which one key comes before another, as `numeric::comes_before` tells it,
-/// and those in which the answer would be the same if the keys were off by many roundings.
+/// The lanes of a pack in which one key comes before another by `numeric::comes_before`, and those
+/// in which errors of many roundings in the keys would not change the answer.
 template <typename Pack>
 struct PackOrder {
   using Truth = decltype(Pack() < Pack());
@@ -35,7 +35,7 @@ struct PackOrder {
       return;
     }
     const Pack first = difference(from);
-    // In keys that are closer together as a whole, smaller differences would count.
+    // If keys are closer together as a whole, smaller differences decide.
     const Pack close(1.1e-2);
     Pack farthest = abs(first);
     Truth open = abs(first) < counts_not;

@@ -1,5 +1,5 @@
-// Turns several instances of an emitted solver at once into all their configurations, or tells
-// which of them need a closer look.
+// Search for all configurations of several instances of an emitted solver at once; doubtful
+// instances are reported.
 #pragma once
 
 #include <algorithm>
@@ -24,10 +24,10 @@ struct BatchGroups<std::tuple<Group...>> {
   static constexpr bool are_closed = (true && ... && detail::has_closed_form<Specialised<Group>>);
 };
 
-/// The search of `Search` for several packs of instances, one instance per lane. An instance stays
-/// in it as long as everything is certain: each of its groups has no configuration, or isolated and
-/// regular ones only. `List` gets every configuration by list(pack, placed, lanes), with a bit of
-/// `lanes` for each lane that has it, and returns the lanes in which it is uncertain.
+/// The search of `Search` for several packs of instances, one instance per lane. An instance is
+/// dropped once a result is uncertain: each of its groups must have no configuration, or isolated
+/// and regular ones only. `List` receives every configuration by list(pack, placed, lanes), with a
+/// bit of `lanes` for each lane that has it, and returns the lanes in which it is uncertain.
 template <typename Solver, std::size_t Lanes, typename List>
 class BatchSearch {
   using Pack = numeric::PackOf<double, Lanes>;
@@ -38,15 +38,15 @@ class BatchSearch {
   static constexpr std::size_t group_count = std::tuple_size_v<Groups>;
 
  public:
-  /// Arcs are isolated for many groups together; formulas need no more than one pack.
+  /// Arcs are isolated for many groups together; closed formulas need only one pack.
   static constexpr std::size_t packs = BatchGroups<Groups>::are_closed ? 1 : 32 / Lanes;
   using Given = std::array<typename Own::Given, packs>;
   using Sets = std::array<unsigned, packs>;  ///< a bit for each lane of each pack
 
   explicit BatchSearch(List& list) : list_(list) {}
 
-  /// Searches the instances in the first `count` packs, once. Returns those that need a closer
-  /// look.
+  /// Searches the instances in the first `count` packs; to be called once. Returns the doubtful
+  /// ones.
   [[nodiscard, gnu::flatten]] Sets run(const Given& given, std::size_t count) {
     Sets lanes{};
     for (std::size_t pack = 0; pack < count; ++pack) {
@@ -139,7 +139,7 @@ class BatchSearch {
       proceed<Place + 1>(next);
     }
   }
-  /// This is a function of its own, so that its part of the stack is free during the deeper search.
+  /// A separate function, so that its stack frame is released during the deeper search.
   template <std::size_t Place, typename Held, typename Found, typename Having>
   [[gnu::noinline]] void isolate(const Sets& lanes, Held& held, Found& found, Having& having) {
     using Model = Specialised<GroupAt<Place>>;

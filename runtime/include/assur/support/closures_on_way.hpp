@@ -1,4 +1,4 @@
-// The closures of all groups of an emitted solver while its arguments go along a straight way.
+// The closures of all groups of an emitted solver on a straight path of its arguments.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace assur::support {
 
-/// The sizes of groups, one behind the other.
+/// The sizes of the groups, in the order in which they are solved.
 template <typename Groups>
 struct GroupSizes;
 template <typename... Group>
@@ -28,7 +28,7 @@ struct GroupSizes<std::tuple<Group...>> {
   static constexpr std::array<int, sizeof...(Group)> pivots{Group::pivot_count...};
   static constexpr std::size_t count = sizeof...(Group);
 
-  /// The sum of the sizes of the groups before a place.
+  /// The sum of the sizes of the groups before `place`.
   [[nodiscard]] static constexpr int before(const std::array<int, count>& sizes,
                                             std::size_t place) {
     int sum = 0;
@@ -42,7 +42,7 @@ struct GroupSizes<std::tuple<Group...>> {
   }
 };
 
-/// What holds each group.
+/// The inputs of each group.
 template <typename Groups, typename Scalar>
 struct GroupInputs;
 template <typename... Group, typename Scalar>
@@ -50,12 +50,12 @@ struct GroupInputs<std::tuple<Group...>, Scalar> {
   using Type = std::tuple<typename Group::template Inputs<Scalar>...>;
 };
 
-/// For each group a set of pivots.
+/// A set of pivots for each group.
 template <typename Groups>
 using PivotSets = std::array<detail::PivotSet, std::tuple_size_v<Groups>>;
 
 /// A `local::System`: each group's closures, in its unit, in the order in which groups are placed.
-/// They hold what is placed by the groups before them, closed or not.
+/// A group's inputs follow from the groups before it, whether these are closed or not.
 template <typename Solver, typename Scalar_>
 class ClosuresOnWay {
   using Own = Access<Solver, Scalar_>;
@@ -77,18 +77,19 @@ class ClosuresOnWay {
   [[nodiscard]] static constexpr int unknown_count() { return unknowns; }
   using Open = Vector<Scalar, rows>;
   using Step = Vector<Scalar, unknowns + 1>;
-  /// The configurations of the groups, and the part of the way that the arguments have gone.
+  /// The configurations of the groups, and the fraction of the path that the arguments have
+  /// covered.
   struct Point {
     Configurations q;
     Scalar part = 0;
   };
 
-  /// `speed` is how much of what holds the groups changes along the whole way.
+  /// `speed` is the change of the groups' inputs along the whole path.
   ClosuresOnWay(const Given& from, const Given& to, Scalar speed)
       : from_(from), to_(to), speed_(speed) {}
 
-  /// Where the groups are held where the arguments have gone a part of the way, by how much they
-  /// miss there, and where they are.
+  /// The groups' inputs at a fraction of the path, the residuals of their closures, and their
+  /// configurations.
   using Inputs = typename GroupInputs<Groups, Scalar>::Type;
   struct Place {
     Inputs u;
@@ -97,8 +98,8 @@ class ClosuresOnWay {
   };
   using Points = typename GroupPoints<Groups, Scalar>::Type;
 
-  /// Places the groups in given configurations, or, if there are points that have these, as far
-  /// from them as their J^-1 tells.
+  /// Places the groups in given configurations, or, if points with these configurations are given,
+  /// corrected linearly by their J^-1.
   [[gnu::noinline]] void place(Scalar part, const Configurations& q, const Points* points,
                                Place& place) const {
     Placed placed;
@@ -115,7 +116,7 @@ class ClosuresOnWay {
     move_groups(step, point.q);
     point.part += step(unknowns) / speed_;
   }
-  /// What rounding leaves of the closures: four roundings of the longest length.
+  /// The residual due to rounding: four roundings of the longest length.
   [[nodiscard]] Scalar rounding(const Point& point) const {
     Place there;
     place(point.part, point.q, nullptr, there);
@@ -125,7 +126,7 @@ class ClosuresOnWay {
     });
     return 4 * std::numeric_limits<Scalar>::epsilon() * longest;
   }
-  /// Turns and shifts the unknowns of all groups, by the first entries of a step.
+  /// Adds the first entries of a step to the unknowns of all groups.
   static void move_groups(const Step& step, Configurations& q) {
     each_group([&](auto place) {
       using Group = std::tuple_element_t<place, Groups>;
@@ -134,7 +135,7 @@ class ClosuresOnWay {
                   Sizes::before(Sizes::unknowns, place))));
     });
   }
-  /// The step from some configurations to others. Its last entry is zero.
+  /// The step between two sets of configurations. Its last entry is zero.
   [[nodiscard]] static Step step_between(const Configurations& from, const Configurations& to) {
     Step step = Step::Zero();
     int index = 0;
@@ -151,7 +152,7 @@ class ClosuresOnWay {
     each_group([&](auto place) { std::get<place>(q) = std::get<place>(points).q; });
     return q;
   }
-  /// How much of what holds the groups differs from where they are held at some points.
+  /// The largest difference between the groups' inputs and those at given points.
   [[nodiscard]] static Scalar largest_difference(const Points& points, const Inputs& inputs) {
     Scalar largest = 0;
     each_group([&](auto place) {

@@ -1,4 +1,4 @@
-// Turns a mechanism's configuration into the key by which its configurations are put in order.
+// The sort key of a mechanism's configurations, independent of position, unit and listing.
 #pragma once
 
 #include <algorithm>
@@ -17,10 +17,10 @@ namespace assur::support {
 
 /// Computes sums over all pairs of moving links: of the cosines of the angles between them, of the
 /// cosines' squares and cubes, and of the sines; then every further link's angle against the first,
-/// as cosine and sine. They do not depend on where the mechanism stands, and the cosines do not
-/// change under reflection. The links must come in an order that does not depend on how they are
-/// listed, such as that of their names. `directions` is a range of directions, `key` one with room
-/// for turning_key_size entries. If `From` is 3, the entries before that place are not set.
+/// as cosine and sine. They are invariant under rigid motion, and the cosines also under
+/// reflection. The links must come in an order that does not depend on the listing, such as that of
+/// their names. `directions` is a range of directions, `key` one with room for turning_key_size
+/// entries. If `From` is 3, the entries before that place are not set.
 template <std::size_t From = 0, typename Directions, typename Key>
 void turning_key(const Directions& directions, Key& key) {
   static_assert(From == 0 || From == 3, "the sums of the cosines are set together");
@@ -51,9 +51,9 @@ void turning_key(const Directions& directions, Key& key) {
 }
 
 /// Sorts the first `count` configurations by their keys; `exchange` exchanges the configurations at
-/// two places. Equal keys keep their places. A key is the turning key, then from the place
-/// `lengths_from` on the displacements of the slides, which count in parts of the longest of all.
-/// The entries before the place `from` are the same in all keys.
+/// two places. The sort is stable. A key is the turning key followed, from index `lengths_from` on,
+/// by the displacements of the slides, which are compared relative to the longest of all. The
+/// entries before index `from` are equal in all keys.
 template <typename Keys, typename Exchange>
 void put_in_order(Keys& keys, int count, std::size_t lengths_from, const Exchange& exchange,
                   std::size_t from = 0) {
@@ -70,7 +70,7 @@ void put_in_order(Keys& keys, int count, std::size_t lengths_from, const Exchang
         return numeric::comes_before(keys[one], keys[other], lengths_from, longest, from);
       },
       [&keys, &exchange, size](std::size_t one, std::size_t other) {
-        if (size > 2) {  // of two, no key is read again
+        if (size > 2) {  // with two configurations no key is read again
           std::swap(keys[one], keys[other]);
         }
         exchange(one, other);

@@ -1,5 +1,5 @@
-// Turns a configuration of an emitted solver into its motions along the coordinates of the free
-// drivers, and these into kinematic coefficients.
+// Kinematic coefficients of an emitted solver: derivatives with respect to the coordinates of its
+// free drivers.
 #pragma once
 
 #include <array>
@@ -13,7 +13,8 @@
 
 namespace assur::support {
 
-/// The first and second derivatives of a few numbers by the coordinates of the free drivers.
+/// First and second derivatives of a few quantities with respect to the coordinates of the free
+/// drivers.
 template <typename Scalar, int Numbers, int Coordinates>
 struct Coefficients {
   Matrix<Scalar, Numbers, Coordinates> first;  ///< one column for each coordinate
@@ -33,7 +34,7 @@ template <typename Scalar, int Order, int Parameters>
   return rates;
 }
 
-/// Puts the rates of a few numbers into the rows of a list, from `First` on.
+/// Writes the rates of a few quantities into the rows of a list, from `First` on.
 template <int First, typename Scalar, int Rows, int Order, int All>
 void put_rates(const Matrix<Scalar, Rows, Order>& rates, Matrix<Scalar, All, Order>& list) {
   static_assert(First + Rows <= All);
@@ -44,11 +45,10 @@ void put_rates(const Matrix<Scalar, Rows, Order>& rates, Matrix<Scalar, All, Ord
   }
 }
 
-/// The rates r', r'' of a solver's numbers, as its `list_rates` has them, where the links of a
-/// configuration move with phi_i' = 1 and phi'' = 0: along one coordinate, these are the first and
-/// second derivatives r_i and r_ii; along two,
-///     r'' = r_ii + 2 r_ij + r_jj.
-/// Parameters are held, and laws that read joints follow.
+/// The rates r', r'' of a solver's quantities, in the order of its `list_rates`, for motions with
+/// phi_i' = 1 and phi'' = 0: along one coordinate these are the first and second derivatives r_i
+/// and r_ii; along two, r'' = r_ii + 2 r_ij + r_jj. Parameters are constant; drivers whose laws
+/// read joints follow.
 template <typename Solver, typename Scalar>
 class CoordinateMotions {
   using Own = Access<Solver, Scalar>;
@@ -66,7 +66,7 @@ class CoordinateMotions {
     }
   }
 
-  /// The first derivatives of a few numbers by each coordinate.
+  /// First derivatives of a few quantities with respect to each coordinate.
   template <int First, int Numbers>
   [[nodiscard]] Matrix<Scalar, Numbers, coordinates> first() const {
     Matrix<Scalar, Numbers, coordinates> result;
@@ -78,7 +78,8 @@ class CoordinateMotions {
     return result;
   }
 
-  /// The second derivatives of all numbers by two coordinates, column i n + j of n coordinates.
+  /// Second derivatives of all quantities with respect to coordinates i and j in column i n + j,
+  /// for n coordinates.
   [[nodiscard]] SecondDerivatives second() const {
     SecondDerivatives result;
     for (int i = 0; i < coordinates; ++i) {
@@ -98,7 +99,7 @@ class CoordinateMotions {
     return result;
   }
 
-  /// The coefficients of a few numbers, of which `second` holds the second derivatives.
+  /// The coefficients of a few quantities; `second` holds their second derivatives.
   template <int First, int Numbers>
   [[nodiscard]] Coefficients<Scalar, Numbers, coordinates> coefficients(
       const SecondDerivatives& second) const {
@@ -117,7 +118,7 @@ class CoordinateMotions {
  private:
   [[nodiscard]] Rates rates_along(int i, int j) const {
     auto drivers = standing_.drivers;
-    for (Scalar* rate : drivers.rates()) {  // those of idle links, too
+    for (Scalar* rate : drivers.rates()) {  // including those of idle links
       *rate = Scalar(0);
     }
     int coordinate = 0;
@@ -143,7 +144,7 @@ class CoordinateMotions {
     Parts::list_rates(moving, rates);
     return rates;
   }
-  /// Places the groups from `Place` on in the configurations in which they stand.
+  /// Places the groups from `Place` on in their present configurations.
   template <std::size_t Place>
   void place_groups(Placed& moving) const {
     using Groups = typename Own::Groups;

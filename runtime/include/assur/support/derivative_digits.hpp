@@ -1,4 +1,4 @@
-// Turns the margin of a configuration from singular ones into the digits that its derivatives keep.
+// Error bounds of derivatives from the margin of a configuration.
 #pragma once
 
 #include <assur/numeric/precision.hpp>
@@ -7,14 +7,14 @@
 
 namespace assur::support {
 
-/// The relative error of a derivative is at most this over the margin; see `regularity`.
+/// The relative error of a derivative is at most this divided by the margin; see `regularity`.
 template <typename Scalar>
 [[nodiscard]] Scalar derivative_rounding() {
   return Scalar(derivative_error_constant) * std::numeric_limits<Scalar>::epsilon();
 }
 
-/// The relative error that a regular configuration promises of its derivatives: 5e-7 in double,
-/// which is six digits; 5e-4 in float, three.
+/// The bound on the relative error of derivatives in a regular configuration: 5e-7 in double (six
+/// digits), 5e-4 in float (three digits).
 template <typename Scalar>
 inline constexpr double regular_error = numeric::last_regular_digit<Scalar> / 2;
 inline constexpr double six_digits = regular_error<double>;

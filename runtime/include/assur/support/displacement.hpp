@@ -1,5 +1,5 @@
-// Turns how far rounding has moved and turned a group's neighbours into how far it may move and
-// turn the group's links.
+// Bounds on the displacement of a group's links by rounding, from those of the neighbours that hold
+// the group.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace assur::support {
 
-/// A group among neighbours that rounding has moved and turned; lengths in the group's unit.
+/// A group whose neighbours are displaced by rounding; lengths in the group's unit.
 template <typename Model, typename Scalar = double>
 class DisplacedGroup {
   using Dimensions = typename Model::template Dimensions<Scalar>;
@@ -24,8 +24,8 @@ class DisplacedGroup {
   using Inverse = Matrix<Scalar, Model::unknown_count, Model::equation_count>;
 
  public:
-  /// `displaced` is how far rounding may have displaced the neighbours that hold the group. Their
-  /// places are known to a rounding of their coordinates at best.
+  /// `displaced` bounds the displacement of the neighbours that hold the group. Their positions are
+  /// known to a rounding of their coordinates at best.
   DisplacedGroup(const Dimensions& d, const Inputs& u, const Displacement& displaced)
       : size_(is_exact ? own_size<Model, Scalar>(d, u)
                        : 1 / unit_scale<Model, Scalar>(d, u, displaced)),
@@ -35,13 +35,13 @@ class DisplacedGroup {
         unsure_(unsure_jacobian<Model, Scalar>(d, u, displaced)),
         reach_(displaced.reach) {}
 
-  /// The regularity of a configuration, counting the neighbours' displacement.
+  /// The regularity of a configuration, including the effect of the neighbours' displacement.
   [[nodiscard]] Regularity<Scalar> regularity(const Dimensions& d, const Inputs& u,
                                               const Configuration& q) const {
     return assur::regularity<Model, Scalar>(d, u, q, unsure_);
   }
 
-  /// The regularity where second rates count, too: in float the pivots alone do not suffice.
+  /// The regularity with second rates included: in float the pivots alone do not suffice.
   [[nodiscard]] Regularity<Scalar> regularity_in_motion(const Dimensions& d, const Inputs& u,
                                                         const Configuration& q) const {
     Regularity<Scalar> result = regularity(d, u, q);
@@ -54,13 +54,13 @@ class DisplacedGroup {
     return result;
   }
 
-  /// How far the group's own links may be off: both ends of a closure move, slides turn, and the
-  /// group's own rounding is added; J^-1 turns this into turns and displacements, and a turn moves
-  /// points by the group's size.
+  /// Bounds on the displacement of the group's own links: both ends of a closure move, slides turn,
+  /// and the group's own rounding is added. J^-1 maps this to errors of angles and displacements;
+  /// an angle moves points by itself times the group's size.
   [[nodiscard]] Displacement displaced(const Configuration& q, const Inverse& J_inverse) const {
     const Scalar reach = (std::max)(reach_, size_);
     constexpr auto half_turn =
-        static_cast<Scalar>(3.14159265358979);  // and no direction is off by more
+        static_cast<Scalar>(3.14159265358979);  // the largest error of a direction
     if (!J_inverse.allFinite()) {
       return {std::numeric_limits<Scalar>::infinity(), half_turn, reach, size_};
     }
@@ -72,23 +72,23 @@ class DisplacedGroup {
       largest = (std::max)(largest, (is_angle ? size_ : 1) * sum);
       turn = (std::max)(turn, is_angle ? sum : 0);
     }
-    // The turn of what holds pins is part of their displacement already.
+    // The rotation of links that hold pins is already part of the pins' displacement.
     const Scalar held_turn = is_exact && !has_slides ? Scalar(0) : turned_;
     const Scalar open =
         2 * (moved_ + held_turn * (std::max)(size_, longest_length(q))) + epsilon * size_;
-    const Scalar turned = turn > 0 ? turn * open : 0;  // open may be infinite
+    const Scalar turned = turn > 0 ? turn * open : 0;  // `open` may be infinite
     return {moved_ + largest * open, (std::min)(turned_ + epsilon + turned, half_turn), reach,
             size_};
   }
 
   /// The length by which a turn of one radian moves points.
   [[nodiscard]] Scalar size() const { return size_; }
-  /// How far rounding may have displaced the neighbours that hold the group.
+  /// Bound on the displacement of the neighbours that hold the group.
   [[nodiscard]] Scalar held() const { return (std::max)(held_, turned_ * size_); }
 
  private:
-  /// The amount by which an unknown follows loops that are open by one: in any one direction of the
-  /// plane; or, where digits are to spare, along both axes at once.
+  /// The change of an unknown per unit of closure error: in the worst direction of the plane; or,
+  /// if the scalar has digits to spare, along both axes at once.
   [[nodiscard]] static Scalar loosened_by(const Inverse& J_inverse, int row) {
     if constexpr (!is_exact || Model::equation_count % 2 != 0) {
       return J_inverse.row(row).cwiseAbs().sum();
@@ -99,7 +99,7 @@ class DisplacedGroup {
     }
     return sum;
   }
-  /// Float has no digit to give away: a chain of groups would soon have none.
+  /// Float has no digit to spare: in a chain of groups none would soon be left.
   static constexpr bool is_exact = std::is_same_v<Scalar, float>;
   /// Whether any neighbour holds a slide.
   static constexpr bool has_slides = [] {
@@ -112,7 +112,7 @@ class DisplacedGroup {
   static constexpr Scalar epsilon = std::numeric_limits<Scalar>::epsilon();
   Scalar size_;
   Scalar held_;
-  Scalar moved_;  ///< with the rounding of the inputs once more, for the groups behind
+  Scalar moved_;  ///< including another rounding of the inputs, for the groups that follow
   Scalar turned_;
   Scalar unsure_;
   Scalar reach_;

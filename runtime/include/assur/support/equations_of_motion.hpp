@@ -1,5 +1,4 @@
-// Turns the masses and loads of an emitted solver's links into the coefficients of its equations of
-// motion.
+// Coefficients of the equations of motion of an emitted solver, from masses and loads.
 #pragma once
 
 #include <assur/model.hpp>
@@ -67,7 +66,7 @@ class EquationsOfMotion {
     }
     add(k, frame.rates(2, 1), inertia);
   }
-  /// Adds what is applied to a link, about the origin of its frame.
+  /// Adds the applied load of a link, about the origin of its frame.
   void add_load(const OfFrame& of_frame, const LinkLoad<Scalar>& applied) {
     for (int i = 0; i < Coordinates; ++i) {
       result_.load(i) +=

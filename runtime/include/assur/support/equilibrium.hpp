@@ -1,5 +1,5 @@
-// Turns what acts on all links of an emitted solver together into the forces in its joints, where
-// these do not follow group by group: with redundant constraints, and at singular configurations.
+// Joint forces of an emitted solver from the equilibrium of all links together, for redundant
+// constraints and singular configurations, where they do not follow group by group.
 #pragma once
 
 #include <algorithm>
@@ -14,21 +14,22 @@
 
 namespace assur::support {
 
-/// The equilibrium A x + w = 0 of links that move: three rows for each, the force and, divided by a
-/// length, the moment about its pivot. An unknown x holds one coordinate of two features: it is the
-/// force of a bearing, or a driver's effort; couples are in units of the length. `Passed` is the
-/// number of times that a law of a driver reads a joint. Of `Springs` the pull may not be known.
+/// The equilibrium A x + w = 0 of the moving links: three rows for each, the force and, divided by
+/// a length, the moment about its pivot. Each unknown x is the reaction of one held coordinate of
+/// two features: a bearing force or a driver's effort; couples are divided by the length. `Passed`
+/// is the number of readings of joints by laws of drivers, `Springs` the number of springs whose
+/// force may be undetermined.
 template <int Links, int Unknowns, int Passed, int Springs, typename Scalar>
 class Equilibrium {
   static constexpr int rows = 3 * Links;
   static constexpr int columns = Unknowns + 2 * Springs;
-  /// Directions that A shortens to less than this part of its largest pivot count as null.
+  /// Directions that A shortens to less than this fraction of its largest pivot count as null.
   static constexpr Scalar least = std::is_same_v<Scalar, float> ? Scalar(1e-3) : Scalar(1e-9);
-  /// What is left of rounding there: an unknown that moves less along a null direction does not
-  /// move, and loads of which less is left are balanced.
+  /// The rounding error in null directions: an unknown with a smaller component does not take part
+  /// in a null direction, and loads with a smaller residual are balanced.
   static constexpr Scalar response = std::numeric_limits<Scalar>::epsilon() / least;
 
-  /// A force and a couple on a link, and the opposite ones on another. The ground is link -1.
+  /// A force and a couple on one link, and their opposites on another. The ground is link -1.
   struct Reaction {
     int on = -1, from = -1;
     Scalar at_x = 0, at_y = 0, x = 0, y = 0, couple = 0;
@@ -41,8 +42,8 @@ class Equilibrium {
   using Pivots = local::Pivots<rows, columns>;
 
  public:
-  /// Two features, of which some coordinates (x, y, theta) of the second one in the frame of the
-  /// first are held, each by the next unknown: it acts on the second one's link.
+  /// Adds an unknown for each held coordinate (x, y, theta) of the second feature in the frame of
+  /// the first; it acts on the second feature's link.
   void hold(int first, int second, const Pose<Scalar>& one, const Pose<Scalar>& other,
             const std::array<bool, 3>& holds) {
     set_pivot(first, other);
@@ -54,14 +55,14 @@ class Equilibrium {
       }
     }
   }
-  /// A driver acts at a joint that its law reads, too, by the law's derivative.
+  /// A driver also acts at a joint that its law reads, in proportion to the law's derivative.
   void pass_on(int unknown, int first, int second, const Pose<Scalar>& one,
                const Pose<Scalar>& other, int coordinate, const Scalar& slope) {
     passed_[static_cast<std::size_t>(passed_count_++)] = {
         unknown, along(first, second, one, other, coordinate, -slope)};
   }
-  /// A spring pulls the first of two links at a place toward the second. Where the pull is not
-  /// known, it counts as two more unknowns.
+  /// A spring pulls the first of two links at a point toward the second. An undetermined pull adds
+  /// two unknowns.
   template <typename Place>
   void pull(int first, int second, const Place& at, const Vector<Scalar, 2>& pull) {
     if (std::isfinite(pull(0)) && std::isfinite(pull(1))) {
@@ -74,13 +75,12 @@ class Equilibrium {
   }
   void load(int link, const LinkLoad<Scalar>& on) { loads_[static_cast<std::size_t>(link)] = on; }
 
-  /// Finds the unknowns. Those that are not determined become NaN: those in which A has a null
-  /// direction. Directions that A moves by less than `tolerance`, a length, count as null.
+  /// Finds the unknowns. Undetermined ones, which have a component in a null direction of A, become
+  /// NaN. Directions that A moves by less than `tolerance`, a length, count as null.
   ///
-  /// The equations of links whose loads are not known are left out. Where nothing balances the
-  /// loads, forces grow beyond bounds beside this configuration along the null directions of A, in
-  /// a manner that depends on the way here: then the equations of the links on which these act are
-  /// left out, too.
+  /// The equations of links with unknown loads are left out. If the loads cannot be balanced,
+  /// forces along the null directions of A grow without bound near this configuration and depend on
+  /// the path to it: then the equations of the links on which these forces act are left out, too.
   void solve(const Scalar& tolerance) {
     find_size();
     leave_out_unknown_loads();
@@ -106,15 +106,15 @@ class Equilibrium {
     }
   }
 
-  /// What a driver exerts, by its unknown.
+  /// The effort of a driver, by its unknown.
   [[nodiscard]] Scalar effort(int unknown) const {
     const Reaction& unit = units_[static_cast<std::size_t>(unknown)];
     return found_[static_cast<std::size_t>(unknown)] * (unit.couple > 0 ? size_ : Scalar(1));
   }
   /// The couple of a bearing.
   [[nodiscard]] Scalar couple(int unknown) const { return effort(unknown); }
-  /// The force of bearings on the second link, by the first of their unknowns and their number. It
-  /// is unknown as a whole.
+  /// The force of bearings on the second link, by the index of their first unknown and their
+  /// number. If one component is unknown, both are NaN.
   [[nodiscard]] Vector<Scalar, 2> force(int first, int count) const {
     Vector<Scalar, 2> sum{Scalar(0), Scalar(0)};
     for (int unknown = first; unknown < first + count; ++unknown) {
@@ -133,7 +133,7 @@ class Equilibrium {
       pivots_[static_cast<std::size_t>(link)] = at;
     }
   }
-  /// A unit along a coordinate of two features, times a size.
+  /// The reaction of the given size along a coordinate of two features.
   [[nodiscard]] static Reaction along(int first, int second, const Pose<Scalar>& one,
                                       const Pose<Scalar>& other, int coordinate,
                                       const Scalar& size) {
@@ -144,7 +144,7 @@ class Equilibrium {
     unit.couple = coordinate == 2 ? size : Scalar(0);
     return unit;
   }
-  /// The longest distance of a link's pivot from where it is held.
+  /// Finds the longest distance of a held feature from its link's pivot.
   void find_size() {
     using std::sqrt;
     Scalar longest = 0;
@@ -179,7 +179,7 @@ class Equilibrium {
   [[nodiscard]] Scalar unit_of(int unknown) const {
     return units_[static_cast<std::size_t>(unknown)].couple > 0 ? size_ : Scalar(1);
   }
-  /// Force and moment of what acts on a link, as its rows have them.
+  /// Force and moment on a link, as in its rows of the equilibrium.
   [[nodiscard]] std::array<Scalar, 3> load_of(int link) const {
     const LinkLoad<Scalar>& load = loads_[static_cast<std::size_t>(link)];
     return {load.x, load.y, load.moment_about(pivots_[static_cast<std::size_t>(link)]) / size_};
@@ -192,8 +192,8 @@ class Equilibrium {
       }
     }
   }
-  /// Leaves out the links on which unknowns act that are not determined. Returns whether there are
-  /// more of these than before.
+  /// Leaves out the links on which undetermined unknowns act. Returns whether there are more of
+  /// them than before.
   bool leave_out_movable() {
     bool are_more = false;
     const auto leave_out = [&](int unknown, const Reaction& reaction) {
@@ -213,7 +213,7 @@ class Equilibrium {
     }
     return are_more;
   }
-  /// A and w, without the rows that are left out.
+  /// Fills in A and w, without the rows that are left out.
   void fill(Table& table) const {
     for (int unknown = 0; unknown < columns; ++unknown) {
       add(units_[static_cast<std::size_t>(unknown)], unit_of(unknown), unknown, table);
@@ -236,7 +236,7 @@ class Equilibrium {
     }
     return largest;
   }
-  /// Whether what the rows without a pivot leave of the loads is small: these can be balanced.
+  /// Whether the residual of the rows without a pivot is small: then the loads can be balanced.
   [[nodiscard]] static bool leaves_at_most(const Scalar& most, const Table& table,
                                            const Pivots& pivots) {
     for (int row = 0; row < rows; ++row) {
@@ -246,7 +246,7 @@ class Equilibrium {
     }
     return true;
   }
-  /// The unknowns in which null directions of A have a part.
+  /// Finds the unknowns with a component in a null direction of A.
   void find_movable(const Table& table, const Pivots& pivots) {
     movable_.fill(false);
     for (int free = 0; free < columns; ++free) {

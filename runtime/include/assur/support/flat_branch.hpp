@@ -1,5 +1,4 @@
-// Turns a branch of an emitted solver into numbers one after the other, and back, for languages
-// that have no templates.
+// A branch of an emitted solver as an array of numbers, for languages without templates.
 #pragma once
 
 #include <assur/support/flat_variables.hpp>
@@ -11,9 +10,9 @@
 
 namespace assur::support {
 
-/// Copies between a branch and numbers, always in the same order: whether it is kept before the
-/// place to which it was followed, the positions of drivers and parameters where it is kept and
-/// those at that place, then for each group u, q, J^-1 and the pivots.
+/// Copies between a branch and an array, in this order: whether the stored point lies before the
+/// point to which the branch was followed, the positions of drivers and parameters at the stored
+/// point and at that point, then for each group u, q, J^-1 and the pivots.
 template <typename Solver, typename Scalar>
 class FlatBranch {
   using Branch = support::Branch<Solver, Scalar>;
@@ -38,14 +37,14 @@ class FlatBranch {
   };
 
  public:
-  /// How many numbers a branch is, beside its status.
+  /// The number of numbers in a branch, without its status.
   static constexpr std::size_t size =
       1 +
       2 * std::tuple_size_v<
               decltype(std::declval<typename Access<Solver, Scalar>::Given>().positions())> +
       NumbersOf<decltype(Branch::groups)>::value;
 
-  /// `numbers` has `size` places.
+  /// `numbers` has `size` entries.
   static void flatten(Branch branch, Scalar* numbers) {
     visit(branch, [&numbers](void* part, std::size_t count) {
       std::memcpy(numbers, part, count * sizeof(Scalar));

@@ -1,4 +1,4 @@
-// Turns a model's variables into numbers one after the other, and back: the same for every model.
+// A model's variables as an array of numbers of the same type for every model.
 #pragma once
 
 #include <array>
@@ -10,18 +10,18 @@
 namespace assur::support {
 
 /// A length is one number, an angle its cosine and sine. No group has more than eight variables of
-/// a sort and four external slides.
+/// one sort and four external slides.
 template <typename Scalar>
 using FlatVariables = std::array<Scalar, 24>;
 
-/// How many numbers a model's variables are. They hold nothing else and are copied as they are: a
-/// loop over their members would be compiled anew for every model.
+/// The number of numbers in a model's variables. They contain nothing else and are copied bytewise:
+/// a loop over their members would be compiled anew for every model.
 template <typename Variables, typename Scalar>
 inline constexpr std::size_t number_count = std::is_empty_v<Variables>
                                                 ? 0
                                                 : sizeof(Variables) / sizeof(Scalar);
 
-/// The variables that stand in `flat`.
+/// The variables stored in `flat`.
 template <typename Variables, typename Scalar, std::size_t Room>
 [[nodiscard]] Variables unflattened(const std::array<Scalar, Room>& flat) {
   static_assert(std::is_trivially_copyable_v<Variables>);
@@ -31,8 +31,7 @@ template <typename Variables, typename Scalar, std::size_t Room>
   return result;
 }
 
-/// The variables that stand in `flat` as numbers of another scalar, which `convert` turns into that
-/// of the variables.
+/// The variables stored in `flat` in another scalar; `convert` maps it to that of the variables.
 template <typename Variables, typename Scalar, std::size_t Room, typename Convert>
 [[nodiscard]] Variables unflattened(const std::array<Scalar, Room>& flat, const Convert& convert) {
   using Own = std::decay_t<decltype(convert(flat[0]))>;
@@ -43,7 +42,7 @@ template <typename Variables, typename Scalar, std::size_t Room, typename Conver
   return unflattened<Variables>(converted);
 }
 
-/// The variables as `flat` numbers of another scalar.
+/// Stores the variables in `flat` in another scalar.
 template <template <typename> class Variables, typename Own, typename Scalar, std::size_t Room>
 void flatten(const Variables<Own>& variables, std::array<Scalar, Room>& flat) {
   static_assert(std::is_trivially_copyable_v<Variables<Own>>);

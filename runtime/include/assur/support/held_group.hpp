@@ -1,5 +1,5 @@
-// Turns a specialised group with held external joints, in a known configuration, into the motion of
-// its links; of several groups at once where the scalar is a pack.
+// Motion of the links of a specialised group with held external joints, in a known configuration;
+// for several groups at once if the scalar is a pack.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace assur::support {
 
-/// The unit of a specialised group, and the longest of its own lengths in that.
+/// The unit of a specialised group, and the longest of its own lengths in this unit.
 template <typename Group, typename Scalar>
 inline constexpr auto unit_of = static_cast<typename numeric::PartOf<Scalar>::Type>(Group::unit);
 template <typename Group, typename Scalar>
@@ -35,21 +35,22 @@ struct Slide {
   Matrix<Scalar, 1, Order> rates = numeric::zeros<Matrix<Scalar, 1, Order>>();
 };
 
-/// Where placed links hold the external joints of a specialised group, and how these move; and the
-/// group's dimensions that the solver's parameters or drivers change. Lengths in the group's unit.
+/// Positions and rates of the external joints of a specialised group, which placed links hold, and
+/// the group's dimensions that the solver's parameters or drivers change. Lengths in the group's
+/// unit.
 template <typename Group, typename Scalar, int Order, int Parameters>
 struct HeldJoints {
   typename Group::template Inputs<Scalar> u;
   Matrix<Scalar, Group::input_count, Order> rates;
   Matrix<Scalar, Group::input_count, Parameters> gradient;
-  DisplacementOf<Scalar> displaced;  ///< how far rounding may have displaced the joints
+  DisplacementOf<Scalar> displaced;  ///< bound on the joints' displacement by rounding
 
   /// Holds a revolute joint, whose inputs (x, y) begin at `First`.
   template <int First>
   void hold_point(const Point<Scalar, Order, Parameters>& point) {
     std::get<First>(u.members()) = point.x / unit_of<Group, Scalar>;
     std::get<First + 1>(u.members()) = point.y / unit_of<Group, Scalar>;
-    // Entries are added one by one: compilers keep them in registers then.
+    // Entries are added one by one, so that compilers keep them in registers.
     for (int order = 0; order < Order; ++order) {
       rates(First, order) = point.rates(0, order) / unit_of<Group, Scalar>;
       rates(First + 1, order) = point.rates(1, order) / unit_of<Group, Scalar>;
@@ -98,8 +99,8 @@ struct HeldJoints {
   }
 };
 
-/// One configuration of a specialised group: the normal frames of the links that it places, and the
-/// rates of its unknowns.
+/// One configuration of a specialised group: the normal frames of its links, and the rates of its
+/// unknowns.
 template <typename Group, typename Scalar, int Order, int Parameters>
 struct PlacedGroup {
   typename Group::template Configuration<Scalar> q;
@@ -115,7 +116,7 @@ template <typename Group, typename Scalar>
 struct UnknownRates {
   Vector<Scalar, Group::unknown_count> first;
   Vector<Scalar, Group::unknown_count> second;  ///< set where accelerations are modelled
-  Reciprocals<Group, Scalar> reciprocals;       ///< by which the group's forces are found, too
+  Reciprocals<Group, Scalar> reciprocals;       ///< also used for the group's forces
 };
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard]] UnknownRates<Group, Scalar> rates_of_unknowns(
@@ -139,7 +140,7 @@ template <typename Group, typename Scalar, int Order, int Parameters>
   return rates;
 }
 
-/// Sets the places of the links in the configuration that is placed.
+/// Sets the poses of the links.
 template <typename Group, typename Scalar, int Order, int Parameters>
 void place_links(const HeldJoints<Group, Scalar, Order, Parameters>& held,
                  PlacedGroup<Group, Scalar, Order, Parameters>& placed) {
@@ -193,8 +194,8 @@ void move_links(const HeldJoints<Group, Scalar, Order, Parameters>& held,
   }
 }
 
-/// Sets the derivatives of the links' frames to the parameters, by J^-1:
-/// J q_a = -(F_a + F_u u_a), and p_a = P_a + P_u u_a + P_q q_a.
+/// Sets the derivatives of the links' frames with respect to the parameters, by J^-1: J q_a = -(F_a
+/// + F_u u_a), and p_a = P_a + P_u u_a + P_q q_a.
 template <typename Group, typename Scalar, int Order, int Parameters>
 void differentiate_links(
     const HeldJoints<Group, Scalar, Order, Parameters>& held,

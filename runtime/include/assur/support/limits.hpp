@@ -1,4 +1,4 @@
-// Turns the coordinate of a joint and its limits into whether it keeps them.
+// Tests of joint coordinates against their limits.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace assur::support {
 
-/// How far rounding may have moved a coordinate beyond limits that it keeps.
+/// The tolerance by which rounding may move a coordinate beyond limits that it keeps.
 template <typename Scalar>
 [[nodiscard]] Scalar limit_slack(Scalar lowest, Scalar highest) {
   constexpr Scalar rounding =
@@ -23,7 +23,7 @@ template <typename Scalar>
   return lowest - slack <= displacement && displacement <= highest + slack;
 }
 
-/// Whether an angle can be turned by whole turns to lie between two others. Radians.
+/// Whether an angle lies between two others after addition of whole turns. Radians.
 template <typename Scalar>
 [[nodiscard]] bool is_turned_between(Scalar lowest, Scalar angle, Scalar highest) {
   constexpr auto turn = static_cast<Scalar>(6.283185307179586);

@@ -1,4 +1,4 @@
-// Turns what acts on the links of an emitted solver into the forces in its joints.
+// Loads on the links of an emitted solver, and the resulting joint forces.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace assur::support {
 
-/// A force, and a moment about a place that the context names.
+/// A force, and a moment about a point that the context names.
 template <typename Scalar>
 struct ForceAndMoment {
   Vector<Scalar, 2> force;
@@ -29,13 +29,13 @@ template <typename Scalar, typename... More>
   return {(force(0) + ... + more(0)), (force(1) + ... + more(1))};
 }
 
-/// The part of a force in a direction.
+/// The component of a force along a direction.
 template <typename Scalar>
 [[nodiscard]] Scalar part_along(const Direction<Scalar>& line, const Vector<Scalar, 2>& force) {
   return line.cos * force(0) + line.sin * force(1);
 }
 
-/// The part of a force across a direction.
+/// The part of a force normal to a direction.
 template <typename Scalar>
 [[nodiscard]] Vector<Scalar, 2> part_across(const Direction<Scalar>& line,
                                             const Vector<Scalar, 2>& force) {
@@ -43,17 +43,16 @@ template <typename Scalar>
   return {-line.sin * across, line.cos * across};
 }
 
-/// A force of a size in a direction.
+/// A force of the given size along a direction.
 template <typename Scalar>
 [[nodiscard]] Vector<Scalar, 2> force_along(const Direction<Scalar>& line, const Scalar& size) {
   return {line.cos * size, line.sin * size};
 }
 
-/// All that is known to act on a link: the sum of forces, and that of moments about a place, in the
-/// directions of the ground.
+/// The known load of a link: the sum of forces, and of moments about a point, in the ground's axes.
 template <typename Scalar>
 struct LinkLoad {
-  Scalar at_x = 0, at_y = 0;  ///< the place
+  Scalar at_x = 0, at_y = 0;  ///< the point
   Scalar x = 0, y = 0, moment = 0;
 
   template <typename Place>
@@ -71,20 +70,20 @@ struct LinkLoad {
     add_force(centre,
               {mass * (gravity(0) - centre.rates(0, 1)), mass * (gravity(1) - centre.rates(1, 1))});
   }
-  /// Adds what acts on another link, as if it acted on this one.
+  /// Adds the load of another link, as if it acted on this one.
   void add(const LinkLoad& other) {
     x += other.x;
     y += other.y;
     moment += other.moment + (other.at_x - at_x) * other.y - (other.at_y - at_y) * other.x;
   }
-  /// The moment about another place.
+  /// The moment about another point.
   template <typename Place>
   [[nodiscard]] Scalar moment_about(const Place& place) const {
     return moment + (at_x - place.x) * y - (at_y - place.y) * x;
   }
 };
 
-/// Nothing acts on a link; moments count about the origin of its frame.
+/// A zero load, with moments about the origin of the link's frame.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] LinkLoad<Scalar> unloaded(const Frame<Scalar, Order, Parameters>& frame) {
   LinkLoad<Scalar> load;
@@ -93,7 +92,7 @@ template <typename Scalar, int Order, int Parameters>
   return load;
 }
 
-/// What acts on several links that count as one, about the place of the first.
+/// The total load of several links that count as one, about the point of the first.
 template <typename Scalar, typename... More>
 [[nodiscard]] LinkLoad<Scalar> together(LinkLoad<Scalar> load, const More&... more) {
   (load.add(more), ...);
@@ -108,9 +107,9 @@ template <typename Scalar, int Order, int Parameters>
   return {stiffness * (other.x - one.x), stiffness * (other.y - one.y)};
 }
 
-/// The same for a spring of a length, with a damper. Where the points coincide to within the
-/// rounding of the lengths that lead to them it has no direction, and its force is not a number,
-/// unless none is needed.
+/// The same for a spring with a rest length, and a damper. If the points coincide to within
+/// rounding, the direction is undefined and the force is NaN, unless the force does not depend on
+/// it.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Vector<Scalar, 2> directed_pull(const Point<Scalar, Order, Parameters>& one,
                                               const Point<Scalar, Order, Parameters>& other,
@@ -120,7 +119,7 @@ template <typename Scalar, int Order, int Parameters>
   const Scalar apart_x = other.x - one.x;
   const Scalar apart_y = other.y - one.y;
   const Scalar length = sqrt(apart_x * apart_x + apart_y * apart_y);
-  // In double 1e-13 of the longest of these lengths.
+  // 1e-13 of the longest length in double.
   constexpr Scalar rounding_of_places = 450 * std::numeric_limits<Scalar>::epsilon();
   const Scalar reach = larger(one.displaced.reach, other.displaced.reach);
   const Scalar rate_x = other.rates(0, 0) - one.rates(0, 0);
@@ -136,15 +135,15 @@ template <typename Scalar, int Order, int Parameters>
   return force_along<Scalar>(along, stiffness * (length - rest) + damping * rate);
 }
 
-/// A pull, or none where it is not known.
+/// The pull, or zero if it is not known.
 template <typename Scalar>
 [[nodiscard]] Vector<Scalar, 2> known_pull(const Vector<Scalar, 2>& pull) {
   using std::isfinite;
   return isfinite(pull(0)) && isfinite(pull(1)) ? pull : Vector<Scalar, 2>{Scalar(0), Scalar(0)};
 }
 
-/// An angle within half a turn. At half a turn rounding would choose between the two senses; it
-/// counts as positive.
+/// An angle within half a turn. Half a turn itself, whose sign rounding would choose, counts as
+/// positive.
 template <typename Scalar>
 [[nodiscard]] Scalar within_half_turn(const Scalar& angle) {
   constexpr auto turn = static_cast<Scalar>(6.28318530717958647692);
@@ -154,8 +153,8 @@ template <typename Scalar>
   return within < negligible - turn / 2 ? within + turn : within;
 }
 
-/// What a joint must exert on the link on its far side, at a place, to balance all else that acts
-/// on it. This is added to both links.
+/// The force and moment of a joint on the link on its far side, at a point, that balance the rest
+/// of the link's load. They are added to the loads of both links.
 template <typename Scalar, typename Place>
 [[nodiscard]] ForceAndMoment<Scalar> balance(const Place& place, LinkLoad<Scalar>& on_far,
                                              LinkLoad<Scalar>& on_near) {
@@ -167,15 +166,15 @@ template <typename Scalar, typename Place>
   return reaction;
 }
 
-/// The forces in the joints of a group under the loads of its links. `is_turned` where the group is
-/// solved in the frame of a link that turns.
+/// Joint forces of a group under the loads of its links. `is_turned` if the group is solved in the
+/// frame of a rotating link.
 template <typename Group, typename Scalar, bool is_turned = false>
 class GroupForces {
  public:
   GroupForces() = default;
   explicit GroupForces(const Direction<Scalar>& turn) : turn_(turn) {}
 
-  /// Sets what acts on a link of the group; `origin` is that of the link's normal frame.
+  /// Sets the load of a link of the group; `origin` is that of the link's normal frame.
   template <typename Place>
   void load(int link, const Place& origin, const LinkLoad<Scalar>& load) {
     const Vector<Scalar, 2> force = turned_by({load.x, load.y}, -1);
@@ -183,7 +182,7 @@ class GroupForces {
     loads_(link, 1) = force(1);
     loads_(link, 2) = load.moment_about(origin) / unit_of<Group, Scalar>;
   }
-  /// Finds the forces where the configuration is regular.
+  /// Finds the forces if the configuration is regular.
   template <typename Held>
   void solve(const Held& held, const SolvedGroup<Group, Scalar>& solved) {
     if constexpr (reciprocal_count < Group >> 0) {
@@ -200,13 +199,13 @@ class GroupForces {
   [[nodiscard]] Scalar couple(int joint) const {
     return forces_(joint, 2) * unit_of<Group, Scalar>;
   }
-  /// The moment about another place, where `origin` is that of the second link's normal frame.
+  /// The moment about another point; `origin` is that of the second link's normal frame.
   template <typename Origin, typename Place>
   [[nodiscard]] Scalar couple_about(int joint, const Origin& origin, const Place& place) const {
     const Vector<Scalar, 2> own = force(joint);
     return couple(joint) + (origin.x - place.x) * own(1) - (origin.y - place.y) * own(0);
   }
-  /// Adds the force of a pin to what acts on its links.
+  /// Adds the force of a pin to the loads of its links.
   template <typename Place>
   void turn(int joint, const Place& place, LinkLoad<Scalar>& on_second,
             LinkLoad<Scalar>& on_first) const {
@@ -223,7 +222,7 @@ class GroupForces {
   }
 
  private:
-  /// The force in the frame of the ground for the sense 1, in that of the group for -1.
+  /// The force rotated into the ground's frame for the sense 1, into that of the group for -1.
   [[nodiscard]] Vector<Scalar, 2> turned_by(const Vector<Scalar, 2>& force, int sense) const {
     if constexpr (is_turned) {
       const Scalar sine = sense < 0 ? -turn_.sin : turn_.sin;

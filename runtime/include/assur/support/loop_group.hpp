@@ -1,5 +1,5 @@
-// A group of any number of links that an emitted solver holds: all configurations from the complex
-// ones, J^-1 and rates by LU.
+// A group of any number of links in an emitted solver: real configurations from the complex ones,
+// J^-1 and rates by LU.
 #pragma once
 
 #include <Eigen/LU>
@@ -44,8 +44,8 @@ template <typename Group>
 struct LoopGroup {
   static constexpr int pivot_count = 1, core_pivot_count = 1;
 
-  /// The one pivot is the reciprocal condition of J, with turns as lengths of the group. Rows are
-  /// not scaled: all closures across a group in one line vanish at once.
+  /// The one pivot is the reciprocal condition of J, with angles multiplied by the group's length.
+  /// Rows are not scaled: in a group in one line all closures across the line vanish at once.
   template <typename Inputs, typename Configuration, typename Scalar>
   [[gnu::noinline]] static void degeneracies(const Inputs& u, const Configuration& q,
                                              Vector<Scalar, 1>& pivot, Vector<Scalar, 1>& size,
@@ -83,8 +83,8 @@ struct LoopGroup {
     Group::acceleration_rhs(u, q, q_rate, u_rate, u_second_rate, rhs);
     q_second_rate = lu.solve(rhs);
   }
-  /// The forces in the joints under loads on the links: J^T lambda = -Q tells those in the joints
-  /// that close the loops.
+  /// Joint forces under loads on the links: J^T lambda = -Q gives those of the joints that close
+  /// the loops.
   template <typename Inputs, typename Configuration, typename Loads, typename Forces>
   [[gnu::noinline]] static void forces(const Inputs& u, const Configuration& q, const Loads& loads,
                                        Forces& F) {
@@ -97,8 +97,7 @@ struct LoopGroup {
     Group::forces_with_multipliers(u, q, loads, lambda, F);
   }
 
-  /// Every configuration of a group, from its complex ones. No caller is to take this into its
-  /// code.
+  /// All configurations of a group, from its complex ones. Not to be inlined.
   template <typename Model>
   [[gnu::noinline]] static void search(const typename Model::template Dimensions<double>& d,
                                        const typename Model::template Inputs<double>& u,
@@ -136,7 +135,7 @@ struct LoopGroup {
   }
 
  private:
-  /// A group has eliminations, or starts where it has none.
+  /// The group's eliminations, or its starts if it has none.
   template <typename Model>
   [[nodiscard]] static constexpr const auto& ways_of() {
     if constexpr (Model::eliminations.empty()) {
@@ -149,7 +148,7 @@ struct LoopGroup {
   [[nodiscard]] static auto jacobian_at(const Inputs& u, const Configuration& q) {
     Matrix<Scalar, Group::equation_count, Group::unknown_count> J;
     Group::jacobian(u, q, J);
-    // Loops over entries that compilers unroll are compiled for minutes.
+    // Unrolled loops over entries would take minutes to compile.
     return Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
                          Group::equation_count, Group::unknown_count>(J);
   }

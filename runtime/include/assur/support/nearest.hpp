@@ -1,4 +1,4 @@
-// Turns how far links are turned from where they should be into the configuration that is nearest.
+// The configuration nearest to given link angles.
 #pragma once
 
 #include <cmath>
@@ -7,12 +7,14 @@
 namespace assur::support {
 
 struct Nearest {
-  int configuration = -1;  ///< its number, from 0; -1 if there are none
-  double distance = 0;     ///< the root of the sum of the squares of the angles, in radians
-  double runner_up = std::numeric_limits<double>::infinity();  ///< of the next one, if there is any
+  int configuration = -1;  ///< its index, from 0; -1 if there are none
+  double distance = 0;     ///< the square root of the sum of the squared angles, in radians
+  double runner_up =
+      std::numeric_limits<double>::infinity();  ///< distance of the second nearest, if there is one
 };
 
-/// `angles_of(i)`: by how much the links of configuration i are turned from where they should be.
+/// `angles_of(i)` returns the differences between the link angles of configuration i and the given
+/// ones.
 template <typename AnglesOf>
 [[nodiscard]] Nearest nearest(int count, const AnglesOf& angles_of) {
   using Scalar = typename decltype(angles_of(0))::value_type;

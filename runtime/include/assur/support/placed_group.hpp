@@ -1,5 +1,5 @@
-// Turns a specialised group with held external joints into the motion of its links and slides, with
-// a verdict on how well it is known.
+// Motion of the links and slides of a specialised group with held external joints, and its
+// regularity.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace assur::support {
 
-/// The configuration of a group, its regularity, and what its rates share with its forces.
+/// The configuration of a group, its regularity, and the reciprocals common to rates and forces.
 template <typename Group, typename Scalar>
 struct SolvedGroup {
   typename Group::template Configuration<Scalar> q;
@@ -23,7 +23,7 @@ struct SolvedGroup {
   Reciprocals<Group, Scalar> reciprocals = numeric::zeros<Reciprocals<Group, Scalar>>();
 };
 
-/// The regularity of a configuration where rounding has displaced what holds the group.
+/// The regularity of a configuration whose external joints rounding has displaced.
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard, gnu::noinline]] Status regularity_among_displaced(
     const HeldJoints<Group, Scalar, Order, Parameters>& held,
@@ -35,8 +35,8 @@ template <typename Group, typename Scalar, int Order, int Parameters>
   return among == Status::ok ? regularity : among;
 }
 
-/// Whether the first derivatives of a configuration that is not regular keep two digits, counting
-/// what rounding has displaced.
+/// Whether the first derivatives of a configuration that is not regular have two correct digits,
+/// the displacement by rounding included.
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard, gnu::noinline, gnu::cold]] bool are_derivatives_known(
     const HeldJoints<Group, Scalar, Order, Parameters>& held,
@@ -47,7 +47,7 @@ template <typename Group, typename Scalar, int Order, int Parameters>
          Scalar(two_digits);
 }
 
-/// Whether accelerations of a regular configuration keep its digits, whichever inputs move.
+/// Whether accelerations of a regular configuration keep its digits for any motion of the inputs.
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard]] bool is_firm(const HeldJoints<Group, Scalar, Order, Parameters>& held,
                            const typename Group::template Configuration<Scalar>& q) {
@@ -59,8 +59,8 @@ template <typename Group, typename Scalar, int Order, int Parameters>
                          derivative_rounding<Scalar>() + displaced);
 }
 
-/// The regularity of a configuration in motion, which counts its second rates. Rates that do not
-/// keep two digits become NaN.
+/// The regularity of a configuration in motion, second rates included. Rates with fewer than two
+/// correct digits become NaN.
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard, gnu::noinline, gnu::cold]] Status regularity_in_motion(
     const HeldJoints<Group, Scalar, Order, Parameters>& held,
@@ -83,7 +83,7 @@ template <typename Group, typename Scalar, int Order, int Parameters>
   return second_error < Scalar(regular_error<Scalar>) ? regularity : Status::near_singular;
 }
 
-/// Whether nothing that holds a group moves, so that its links stand still even where it is
+/// Whether all external joints of a group are at rest, so that its links are at rest even if it is
 /// singular.
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard]] bool is_at_rest(const HeldJoints<Group, Scalar, Order, Parameters>& held) {
@@ -91,8 +91,8 @@ template <typename Group, typename Scalar, int Order, int Parameters>
                      [](const Scalar& rate) { return rate == Scalar(0); });
 }
 
-/// Whether the joints' coordinates are so long that their rounding exceeds a few of the group's
-/// own.
+/// Whether the joints' coordinates are so large that their rounding exceeds a few roundings of the
+/// group's own lengths.
 template <typename Group, typename Scalar>
 [[nodiscard]] bool is_small_where_held(const typename Group::template Inputs<Scalar>& u) {
   constexpr Scalar most = 16 * own_length<Group, Scalar>;
@@ -100,7 +100,7 @@ template <typename Group, typename Scalar>
 }
 
 /// Places a group's links in a configuration of known regularity. Rates and gradients that do not
-/// exist, or do not keep two digits, are NaN.
+/// exist, or have fewer than two correct digits, are NaN.
 template <typename Group, typename Scalar, int Order, int Parameters>
 [[nodiscard]] PlacedGroup<Group, Scalar, Order, Parameters> place_group(
     const HeldJoints<Group, Scalar, Order, Parameters>& held,
@@ -111,7 +111,7 @@ template <typename Group, typename Scalar, int Order, int Parameters>
   PlacedGroup<Group, Scalar, Order, Parameters> placed;
   placed.q = q;
   placed.regularity = regularity;
-  // Less than this is little beside the rounding that every verdict counts.
+  // Negligible compared with the rounding that every verdict allows for.
   constexpr Scalar rounding = 16 * std::numeric_limits<Scalar>::epsilon();
   if (held.displaced.moved > rounding * own_length<Group, Scalar> ||
       held.displaced.turned > rounding || is_small_where_held<Group, Scalar>(held.u)) {

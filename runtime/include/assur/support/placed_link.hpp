@@ -1,4 +1,4 @@
-// Turns links of known motion into the motion of their points and of the links that they carry.
+// Motion of points and carried links from the motion of the links that carry them.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace assur::support {
 
-/// A frame in another: its pose (x, y, theta), the first `Order` time derivatives of these, one per
-/// column, and their derivatives to `Parameters` parameters, one per column.
+/// A frame in another: its pose (x, y, theta), its first `Order` time derivatives, one per column,
+/// and its derivatives with respect to `Parameters` parameters, one per column.
 template <typename Scalar, int Order, int Parameters>
 struct Frame {
   Pose<Scalar> pose{};
@@ -34,15 +34,15 @@ struct Point {
   DisplacementOf<Scalar> displaced{};  ///< by rounding
 };
 
-/// A point that stays where it is in a frame.
+/// A point fixed in a frame.
 template <typename Scalar>
 struct Place {
   Scalar x = 0;
   Scalar y = 0;
 };
 
-/// Turns such a point into a point of the frame in which its own frame moves. Its arm turns with
-/// its frame: see `carried` and `carried_twice`.
+/// A fixed point of a moving frame, in the outer frame. Its arm turns with the moving frame: see
+/// `carried` and `carried_twice`.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Point<Scalar, Order, Parameters> point_in(
     const Frame<Scalar, Order, Parameters>& frame, const Place<Scalar>& place) {
@@ -53,7 +53,7 @@ template <typename Scalar, int Order, int Parameters>
   result.x = frame.pose.x + arm_x;
   result.y = frame.pose.y + arm_y;
   result.displaced = frame.displaced.carries(place.x, place.y);
-  // Coordinates are moved one by one, not as vectors: compilers keep them in registers then.
+  // Coordinates are moved one by one, not as vectors, so that compilers keep them in registers.
   for (int order = 0; order < Order; ++order) {
     const Scalar square = order == 0 ? 0 : frame.rates(2, 0) * frame.rates(2, 0);
     result.rates(0, order) = frame.rates(0, order) - frame.rates(2, order) * arm_y - square * arm_x;
@@ -67,9 +67,9 @@ template <typename Scalar, int Order, int Parameters>
   return result;
 }
 
-/// Where a point (x, y) of a moving frame stands in the frame in which that one moves, by `carried`
-/// and `carried_twice`. `inner` and `outer` hold the derivatives of its two coordinates, and
-/// perhaps of an angle, which stays as it is.
+/// The position in the outer frame of a point (x, y) of a moving frame, by `carried` and
+/// `carried_twice`. `inner` and `outer` hold the derivatives of its two coordinates, and perhaps of
+/// an angle, which is unchanged.
 template <typename Scalar, int Order, int Parameters, typename Inner, typename Outer>
 [[nodiscard]] Vector<Scalar, 2> carry(const Frame<Scalar, Order, Parameters>& frame,
                                       const Scalar& x, const Scalar& y, const Inner& inner,
@@ -104,7 +104,7 @@ template <typename Scalar, int Order, int Parameters, typename Inner, typename O
   return {frame.pose.x + arm[0], frame.pose.y + arm[1]};
 }
 
-/// A point that is given in a moving frame, in the frame in which that one moves.
+/// A point given in a moving frame, in the outer frame.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Point<Scalar, Order, Parameters> point_in(
     const Frame<Scalar, Order, Parameters>& frame, const Point<Scalar, Order, Parameters>& point) {
@@ -116,7 +116,7 @@ template <typename Scalar, int Order, int Parameters>
   return result;
 }
 
-/// A frame that is given in a moving frame, in the frame in which that one moves.
+/// A frame given in a moving frame, in the outer frame.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> frame_in(
     const Frame<Scalar, Order, Parameters>& frame, const Frame<Scalar, Order, Parameters>& inner) {
@@ -160,8 +160,8 @@ struct Coordinate {
   Matrix<Scalar, 1, Parameters> gradient = numeric::zeros<Matrix<Scalar, 1, Parameters>>();
 };
 
-/// The angle from one frame to another, theta_other - theta_one. Half a turn is +pi even where
-/// rounding makes it -pi, so that a law that reads the angle says the same for both.
+/// The angle from one frame to another, theta_other - theta_one. Half a turn is +pi even if
+/// rounding makes it -pi, so that a law that reads the angle has the same value for both.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Coordinate<Scalar, Order, Parameters> angle_between(
     const Frame<Scalar, Order, Parameters>& one, const Frame<Scalar, Order, Parameters>& other) {
@@ -180,8 +180,8 @@ template <typename Scalar, int Order, int Parameters>
   return result;
 }
 
-/// How far along the x-axis of one frame the origin of another is, which lies on it: with r from
-/// one to the other and c along the axis, s = c.r, s' = c.r', s'' = c.r'' + omega^2 s.
+/// The displacement along the x-axis of one frame to the origin of another, which lies on the axis:
+/// with r from one to the other and c along the axis, s = c.r, s' = c.r', s'' = c.r'' + omega^2 s.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Coordinate<Scalar, Order, Parameters> displacement_along(
     const Frame<Scalar, Order, Parameters>& one, const Frame<Scalar, Order, Parameters>& other) {
@@ -205,7 +205,7 @@ template <typename Scalar, int Order, int Parameters>
 }
 
 /// The frame on the far side of a revolute joint, in that on the near side, for the joint's angle,
-/// its rates and its derivatives to the parameters.
+/// its rates and its derivatives with respect to the parameters.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Frame<Scalar, Order, Parameters> turning(
     Scalar angle,
@@ -254,7 +254,8 @@ template <typename Scalar, int Parameters>
   return {sum[0], sum[1]};
 }
 
-/// The root of the sum of the squares of derivative x tolerance, of each coordinate.
+/// The square root of the sum of (derivative x tolerance)^2 over the parameters, of each
+/// coordinate.
 template <typename Scalar, int Parameters>
 [[nodiscard]] Vector<Scalar, 2> root_sum_square(
     const Matrix<Scalar, 2, Parameters>& gradient,

@@ -1,4 +1,4 @@
-// Turns a group's dimensions and inputs into its final polynomial with a bound of its rounding.
+// The final polynomial of a group, with a bound on its rounding errors.
 #pragma once
 
 #include <algorithm>
@@ -18,9 +18,9 @@ struct PositionPolynomial {
 };
 
 /// The final polynomial of a model whose first unknown is an angle, evaluated in `Work`, which is
-/// double or DoubleDouble, or float or DoubleFloat for variables in float. In all but DoubleDouble
-/// the error includes that of the variables, which are rounded and whose neighbours are
-/// `displaced`. It is NaN or infinite where a coefficient is.
+/// double or DoubleDouble, or float or DoubleFloat for variables in float. Except in DoubleDouble
+/// the error includes the rounding of the variables and the displacement `displaced` of the
+/// neighbours. It is NaN or infinite if a coefficient is.
 template <typename Model, typename Work, typename Scalar = double>
 [[nodiscard]] PositionPolynomial<Work, Model::polynomial_degree> position_polynomial(
     const typename Model::template Dimensions<Scalar>& d,

@@ -1,4 +1,4 @@
-// Turns a base and an exponent into the derivatives of the power by both.
+// Partial derivatives of a power with respect to base and exponent.
 #pragma once
 
 #include <cmath>
@@ -6,9 +6,10 @@
 
 namespace assur::support {
 
-/// The derivative of a^b, `ByBase` times by a and `ByExponent` times by b, to the second order; NaN
-/// where there is none. A negative base has powers for whole exponents alone, and so no derivative
-/// by the exponent; nor has zero where its powers on either side of the exponent differ.
+/// The derivative of a^b, `ByBase` times with respect to a and `ByExponent` times with respect to
+/// b, up to second order in all; NaN if it does not exist. A negative base has powers for integer
+/// exponents only, and so no derivative with respect to the exponent; neither has a base of zero if
+/// the powers on the two sides of the exponent differ.
 template <int ByBase, int ByExponent, typename Scalar>
 [[nodiscard]] Scalar power_derivative(const Scalar& a, const Scalar& b) {
   static_assert(ByBase + ByExponent <= 2, "derivatives of higher orders are not known here");

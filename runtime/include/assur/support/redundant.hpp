@@ -1,4 +1,4 @@
-// Turns the places of two features that other joints bring together into how far they are apart.
+// Gaps of redundant joints, and their tolerances.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace assur::support {
 
-/// A frame that stands in another one.
+/// A frame given in another one, in the outer frame.
 template <typename Scalar>
 [[nodiscard]] Pose<Scalar> pose_in(const Pose<Scalar>& frame, const Pose<Scalar>& inner) {
   const auto& [c, s] = frame.direction;
@@ -20,7 +20,7 @@ template <typename Scalar>
           turned(inner.direction, frame.direction)};
 }
 
-/// The largest coordinate of frames: rounding of all places is a part of it.
+/// The largest coordinate of frames, which scales the rounding of all positions.
 template <typename Scalar, std::size_t Count>
 [[nodiscard]] Scalar largest_coordinate(const std::array<Pose<Scalar>, Count>& frames) {
   Scalar largest = 0;
@@ -30,8 +30,8 @@ template <typename Scalar, std::size_t Count>
   return largest;
 }
 
-/// How far apart rounding may leave features in a mechanism of the given size, where its
-/// configuration is regular and where it is not.
+/// The tolerance for the gap between features in a mechanism of the given size, for a regular
+/// configuration and for one that is not.
 template <typename Scalar>
 [[nodiscard]] Scalar redundancy_slack(Scalar size, Status regularity) {
   constexpr bool is_fine = std::numeric_limits<Scalar>::epsilon() < 1e-12;
@@ -40,8 +40,8 @@ template <typename Scalar>
   return (regularity == Status::ok ? where_regular : where_singular) * size;
 }
 
-/// The parts of rates, and of second rates, by which redundant constraints may contradict others
-/// for rounding.
+/// The relative differences of rates, and of second rates, that rounding may cause between
+/// redundant constraints.
 template <typename Scalar>
 inline constexpr double agreement_of_rates = std::numeric_limits<Scalar>::epsilon() < 1e-12 ? 1e-8
                                                                                             : 1e-3;
@@ -50,22 +50,22 @@ inline constexpr double agreement_of_second_rates = std::numeric_limits<Scalar>:
                                                         ? 1e-4
                                                         : 1e-2;
 
-/// The distance of two points, of which each is a frame's origin.
+/// The distance of the origins of two frames.
 template <typename Scalar>
 [[nodiscard]] Scalar points_apart(const Pose<Scalar>& one, const Pose<Scalar>& other) {
   return std::hypot(other.x - one.x, other.y - one.y);
 }
 
-/// How far a point, a frame's origin, is from a line, a frame's x-axis.
+/// The distance of a point, a frame's origin, from a line, a frame's x-axis.
 template <typename Scalar>
 [[nodiscard]] Scalar point_off_line(const Pose<Scalar>& line, const Pose<Scalar>& point) {
   const auto& [c, s] = line.direction;
   return std::abs(c * (point.y - line.y) - s * (point.x - line.x));
 }
 
-/// How far lines, each a frame's x-axis, are apart: the larger of the second one's distance from
-/// the first, and of how far they part over a mechanism's size. Lines that point in opposite ways
-/// part by twice that size.
+/// The gap between two lines, each a frame's x-axis: the larger of the second origin's distance
+/// from the first line, and of their divergence over the mechanism's size. Lines of opposite
+/// direction diverge by twice that size.
 template <typename Scalar>
 [[nodiscard]] Scalar lines_apart(const Pose<Scalar>& one, const Pose<Scalar>& other, Scalar size) {
   const Direction<Scalar> turn = turned(other.direction, reversed(one.direction));

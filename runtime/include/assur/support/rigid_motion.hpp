@@ -1,4 +1,4 @@
-// Turns derivatives of a frame, and of a point in it, into those of the point outside.
+// Derivatives of a point carried by a moving frame, to second order.
 #pragma once
 
 #include <assur/model.hpp>

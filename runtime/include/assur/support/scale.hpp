@@ -1,4 +1,4 @@
-// Turns lengths in any unit into lengths near one, exactly, in any scalar.
+// Exact scaling of lengths to a size near one, and the sizes and rounding bounds of groups.
 #pragma once
 
 #include <algorithm>
@@ -56,8 +56,8 @@ template <typename To, typename From>
   return result;
 }
 
-/// 2^-e of a length of 2^e m, 1 <= m < 2, by the bits of a normal number; of any other, at most the
-/// largest power that there is.
+/// 2^-e for a length of 2^e m, 1 <= m < 2, from the bits of a normal number; for any other number
+/// at most the largest power of two.
 template <typename Scalar>
 [[nodiscard]] Scalar inverse_power_of_two(Scalar length) {
   using Limits = std::numeric_limits<Scalar>;
@@ -82,21 +82,21 @@ template <typename Scalar>
 inline constexpr Scalar rounding_of_one = 2 * std::numeric_limits<Scalar>::epsilon();
 
 /// In a chain of groups the bound of a displacement grows much faster than the displacement itself.
-/// A bound beyond some part of the longest length would merge two configurations that are close
-/// together, so a larger bound counts as that part.
+/// Too large a bound would merge two configurations that are close together, so it is capped at a
+/// fraction of the longest length.
 template <typename Scalar>
 [[nodiscard]] Scalar counted_displacement(Scalar displaced, Scalar longest) {
   return (std::min)(displaced, 64 * std::numeric_limits<Scalar>::epsilon() * longest);
 }
 
-/// How far rounding may have moved the inputs of a group whose neighbours it has `displaced`. The
-/// rounding of a coordinate grows with the coordinate.
+/// Bound on the error of the inputs of a group whose neighbours are `displaced`. The rounding of a
+/// coordinate grows with the coordinate.
 template <typename Inputs, typename Scalar = typename ScalarOf<Inputs>::Type>
 [[nodiscard]] Scalar rounding_of_inputs(const Inputs& u, Scalar displaced) {
   return rounding_of_one<Scalar> * (std::max)(Scalar(1), longest_length(u)) + displaced;
 }
 
-/// Numbers with bounds, lengths known to `within` and directions to a `turn`.
+/// Numbers with error bounds: `within` for lengths, `turn` for directions.
 template <typename Scalar, typename Number, std::size_t Count>
 void bound_numbers(const void* from, const std::array<bool, Count>& is_length, Number within,
                    Number turn, void* to) {
@@ -107,8 +107,8 @@ void bound_numbers(const void* from, const std::array<bool, Count>& is_length, N
   }
 }
 
-/// The variables with bounds, lengths known to `within` and directions to a `turn`: where a root of
-/// their final polynomial is certain, it is so however the variables were rounded.
+/// The variables with error bounds: `within` for lengths, `turn` for directions. A root of their
+/// final polynomial that is certain is certain for any rounding of the variables.
 template <typename To, typename From, typename Scalar = typename ScalarOf<From>::Type>
 [[nodiscard]] To rounded(const From& from, Scalar within, Scalar turn) {
   To result;
@@ -117,8 +117,8 @@ template <typename To, typename From, typename Scalar = typename ScalarOf<From>:
   return result;
 }
 
-/// How far rounding of the dimensions may have moved a coefficient of a specialised group, whose
-/// functions hold them as numbers: lengths are at most one there, and few of them meet in a term.
+/// Bound on the error of a coefficient of a specialised group by rounding of the dimensions, which
+/// are numbers in its functions: lengths are at most one, and few of them occur in a term.
 inline constexpr double rounding_of_named_numbers = 32 * std::numeric_limits<double>::epsilon();
 template <typename Model, typename Scalar>
 [[nodiscard]] constexpr Scalar rounding_of_numbers() {
@@ -127,8 +127,8 @@ template <typename Model, typename Scalar>
   return Model::dimension_count == 0 ? rounding : Scalar(0);
 }
 
-/// The longest length of a group. Only differences of the external joints' places count, not where
-/// the group is.
+/// The longest length of a group. Only differences of the external joints' positions count, not the
+/// position of the group.
 template <typename Model, typename Scalar = double>
 [[nodiscard]] Scalar size_of(const typename Model::template Dimensions<Scalar>& d,
                              const typename Model::template Inputs<Scalar>& u) {
@@ -139,7 +139,7 @@ template <typename Model, typename Scalar = double>
 }
 
 /// The longest length of a group in the unit of its inputs; a specialised group states it, because
-/// its lengths are in its functions.
+/// its lengths are numbers in its functions.
 template <typename Model, typename Scalar = double>
 [[nodiscard]] Scalar own_size(const typename Model::template Dimensions<Scalar>& d,
                               const typename Model::template Inputs<Scalar>& u) {
@@ -150,11 +150,10 @@ template <typename Model, typename Scalar = double>
   }
 }
 
-/// The amount by which the loop Jacobian of a group may be off, in parts of the group's length: a
-/// coordinate far from the origin is rounded in proportion to itself, and what rounding has
-/// `displaced` is not known better. Where nothing turns, J depends on directions alone. In float a
-/// displacement counts no more than in `counted_displacement`: the full bound would leave no digit
-/// behind three groups.
+/// Bound on the error of the loop Jacobian of a group, relative to the group's length: a coordinate
+/// far from the origin is rounded in proportion to itself, and neighbours are `displaced`. If no
+/// link turns, J depends on directions alone. In float a displacement is capped as in
+/// `counted_displacement`: the full bound would leave no correct digit after three groups.
 template <typename Model, typename Scalar = double>
 [[nodiscard]] Scalar unsure_jacobian(const typename Model::template Dimensions<Scalar>& d,
                                      const typename Model::template Inputs<Scalar>& u,
@@ -176,14 +175,13 @@ template <typename Model, typename Scalar = double>
   }
 }
 
-/// The length by which a group is measured: its longest one, unless that is no longer than the
-/// rounding of the external joints' places, or than they are `displaced`; then the length of which
-/// that is a rounding.
+/// The reference length of a group: its longest length; or, if the rounding or displacement of the
+/// external joints is as large, that error divided by a rounding.
 template <typename Model, typename Scalar = double>
 [[nodiscard]] Scalar size_among(const typename Model::template Dimensions<Scalar>& d,
                                 const typename Model::template Inputs<Scalar>& u,
                                 const DisplacementOf<Scalar>& displaced = {}) {
-  if constexpr (Model::dimension_count == 0) {  // specialised: lengths are in such a unit already
+  if constexpr (Model::dimension_count == 0) {  // specialised: lengths are already in such a unit
     return 1;
   }
   constexpr Scalar rounding = 4 * std::numeric_limits<Scalar>::epsilon();
@@ -196,8 +194,8 @@ template <typename Model, typename Scalar = double>
   return (std::max)(own, tells ? 256 * std::numeric_limits<Scalar>::epsilon() * places : untold);
 }
 
-/// In a group that is smaller than this, lengths count that are too small to have all their digits:
-/// 2^-960 in double, 2^-93 in float.
+/// In a group smaller than this, significant lengths would be subnormal and lack digits: 2^-960 in
+/// double, 2^-93 in float.
 template <typename Scalar>
 inline constexpr Scalar least_size =
     (std::numeric_limits<Scalar>::min)() * numeric::power_of_two<Scalar>(

@@ -1,5 +1,5 @@
-// Turns an emitted solver into the functions that its search and tracking use, and into their
-// answers.
+// Access to the parts of an emitted solver for its search and tracking, and the types of its
+// results.
 #pragma once
 
 #include <algorithm>
@@ -20,29 +20,29 @@
 
 namespace assur::support {
 
-/// What an emitted solver returns beside the configurations.
+/// The result of an emitted solver, apart from the configurations.
 struct Solution {
-  /// ok, also where the links cannot reach; degenerate where there is no configuration, but a group
-  /// that moves freely or is inconsistent; not_finite; unsound_arithmetic; unresolved in float,
-  /// where the program chose not to use double, and where redundant constraints may stop a group
-  /// that moves freely without them.
+  /// ok, also if the links cannot be assembled; degenerate if there is no configuration, but a
+  /// group moves freely or is inconsistent; not_finite; unsound_arithmetic; unresolved in float, if
+  /// the program chose not to use double, and if redundant constraints may lock a group that moves
+  /// freely without them.
   AssemblyStatus status = AssemblyStatus::ok;
   int count = 0;  ///< the number of configurations
-  /// The number of choices of configurations of the groups that hold a group, directly or through
-  /// others, for which it moves freely or is inconsistent, if all that does not depend on it can be
-  /// assembled.
+  /// The number of families: a group that moves freely or is inconsistent counts once for each
+  /// combination of configurations of the groups that hold it, directly or through others, if all
+  /// groups that do not depend on it can be assembled.
   int families = 0;
   int mobility = 0;  ///< the greatest mobility of these families
-  /// False where a configuration of a group with more than four links may be missing.
+  /// False if a configuration of a group with more than four links may be missing.
   bool complete = true;
 };
 
-/// What the solver of a scene with limits returns.
+/// The result of the solver of a scene with limits.
 struct LimitedSolution : Solution {
   int left_out = 0;  ///< configurations beyond the limits of joints
 };
 
-/// Whether a solver has parameters among its arguments.
+/// Whether a solver has parameters as arguments.
 template <typename Solver, typename = void>
 inline constexpr bool has_parameters = false;
 template <typename Solver>
@@ -61,7 +61,7 @@ struct GivenTo<Solver, Scalar, true> {
     typename Solver::template Drivers<Scalar> drivers;
     typename Solver::template Parameters<Scalar> parameters;
 
-    /// The positions of all arguments that change along a way; drivers that turn come first.
+    /// The positions of all arguments that change along a path; drivers that turn come first.
     [[nodiscard]] auto positions() {
       const auto of_drivers = drivers.positions();
       const auto values = parameters.values();
@@ -98,28 +98,28 @@ struct Access {
       -> decltype(Those::redundant_gap(std::declval<const Placed&>()), std::true_type());
   template <typename Those>
   static std::false_type gaps_of(...);
-  /// Whether the solver computes by how much redundant constraints miss.
+  /// Whether the solver computes the residual of redundant constraints.
   static constexpr bool has_gaps = decltype(gaps_of<Parts>(0))::value;
   template <typename Those>
   static auto settles_of(int) -> decltype(Those::settle(std::declval<Placed&>()), std::true_type());
   template <typename Those>
   static std::false_type settles_of(...);
-  /// Whether it closes all constraints together where it is nearly singular without the redundant
+  /// Whether it closes all constraints together if it is nearly singular without the redundant
   /// ones.
   static constexpr bool settles = decltype(settles_of<Parts>(0))::value;
   template <typename Those>
   static auto laws_of(int) -> decltype(Those::has_laws, std::true_type());
   template <typename Those>
   static std::false_type laws_of(...);
-  /// Whether the solver computes laws of drivers that read joints.
+  /// Whether the solver has drivers whose laws read joints.
   static constexpr bool has_laws = decltype(laws_of<Solver>(0))::value;
   template <typename Those>
   static auto own_rates_of(int) -> decltype(Those::has_own_rates, std::true_type());
   template <typename Those>
   static std::false_type own_rates_of(...);
-  /// Whether rates follow that are no arguments of the solver.
+  /// Whether there are rates that are not arguments of the solver.
   static constexpr bool has_own_rates = decltype(own_rates_of<Solver>(0))::value;
-  /// For each group the set of the groups that hold it, directly or through others.
+  /// For each group, the set of the groups that hold it, directly or through others.
   static constexpr auto holders = [] {
     constexpr std::size_t groups = std::tuple_size_v<Groups>;
     if constexpr (groups > 1) {
@@ -136,7 +136,7 @@ struct Access {
       return given;
     }
   }
-  /// The arguments where positions have gone a part of a straight way.
+  /// The arguments at a fraction of a straight path.
   [[nodiscard]] static Given between(Given from, const Given& to, Scalar part) {
     Given result = to;
     const auto starts = from.positions();
@@ -146,7 +146,7 @@ struct Access {
     }
     return result;
   }
-  /// Places what drivers move.
+  /// Places the links that drivers move.
   static void drive(const Given& given, Placed& placed) {
     if constexpr (has_parameters<Solver>) {
       Parts::drive(given.drivers, given.parameters, placed);
@@ -182,7 +182,7 @@ struct Access {
       return false;
     }
   }
-  /// Sets where a group's external joints are held.
+  /// Sets the positions of a group's external joints.
   template <typename Held>
   static void hold(const Placed& placed, Held& held) {
     Parts::hold(placed, held);
@@ -192,27 +192,27 @@ struct Access {
   static void place(const Group& group, Placed& placed) {
     Parts::place(group, placed);
   }
-  /// Fills a state from what is placed; rates that are not finite are unknown.
+  /// Fills a state from the placed links; rates that are not finite are marked as unknown.
   static void list(const Placed& placed, typename Solver::template State<Scalar>& state) {
     list_moderate(placed, state);
     if constexpr (Solver::order > 0) {
       mark_infinite_rates(state);
     }
   }
-  /// The same where arguments are below `moderate` and no other rates follow.
+  /// The same if arguments are below `moderate` and there are no other rates.
   static void list_moderate(const Placed& placed, typename Solver::template State<Scalar>& state) {
     Parts::list(placed, state);
   }
-  /// Whether all joints keep their limits where everything is placed.
+  /// Whether all joints keep their limits.
   [[nodiscard]] static auto keeps_limits(const Placed& placed) {
     return Parts::keeps_limits(placed);
   }
-  /// The amount by which the redundant constraints miss, in parts of the largest coordinate.
+  /// The residual of the redundant constraints, divided by the largest coordinate.
   [[nodiscard]] static Scalar gap(const Placed& placed) { return Parts::redundant_gap(placed); }
   /// Closes all constraints together. Returns whether they hold, and agree in the rates that are
   /// known.
   [[nodiscard]] static bool settle(Placed& placed) { return Parts::settle(placed); }
-  /// The key that tells one state from another and puts them in order.
+  /// The key by which states are distinguished and sorted.
   static void key(const Placed& placed, Key& key) { Parts::key(placed, key); }
 };
 

@@ -1,5 +1,5 @@
-// Turns columns of drivers of an emitted solver into columns of every configuration of each,
-// several at once.
+// All configurations of many instances of an emitted solver, several at once, as columns of
+// numbers.
 #pragma once
 
 #include <algorithm>
@@ -15,27 +15,27 @@
 
 namespace assur::support {
 
-/// Drivers, or variable parameters, of many instances of a solver: data[p * stride + i] is number
-/// p, by `column_numbers`, of instance i.
+/// Drivers, or variable parameters, of many instances of a solver: data[p * stride + i] is number p
+/// (see `column_numbers`) of instance i.
 struct GivenColumns {
   const double* data = nullptr;
   std::size_t stride = 0;
 };
 
-/// The caller's arrays to which the configurations of many instances go. Entry i of the first ones
-/// is what `Solution` holds for instance i.
+/// The caller's arrays for the configurations of many instances. Entry i of the first arrays is the
+/// member of `Solution` for instance i.
 template <typename Solver>
 struct BatchSolutions {
   AssemblyStatus* status = nullptr;
   int* count = nullptr;
   int* families = nullptr;
   int* mobility = nullptr;
-  int* left_out = nullptr;  ///< for the solver of a scene with limits
+  int* left_out = nullptr;  ///< only for the solver of a scene with limits
   /// The regularity of configuration k of instance i is at [k * stride + i]. Entries beyond an
-  /// instance's count have no meaning.
+  /// instance's count are undefined.
   Status* regularity = nullptr;
-  /// Number p, by `column_numbers`, of configuration k of instance i is at
-  /// [(k * column_count<Solver::State<double>> + p) * stride + i].
+  /// Number p (see `column_numbers`) of configuration k of instance i is at [(k *
+  /// column_count<Solver::State<double>> + p) * stride + i].
   double* states = nullptr;
   std::size_t stride = 0;
 
@@ -46,7 +46,7 @@ struct BatchSolutions {
   }
 };
 
-/// Instances of a solver, one by one: what is given, and where the answers go.
+/// Instances of a solver, solved one by one: inputs and results.
 template <typename Solver>
 struct LoneInstances {
   GivenColumns drivers;
@@ -92,7 +92,7 @@ struct LoneInstances {
   }
 };
 
-/// Instances of a solver, several at once.
+/// Instances of a solver, solved several at once.
 template <typename Solver, std::size_t Lanes>
 class SceneBatch {
   using Pack = numeric::PackOf<double, Lanes>;
@@ -109,12 +109,11 @@ class SceneBatch {
  public:
   explicit SceneBatch(const LoneInstances<Solver>& lone) : lone_(lone), result_(lone.result) {}
 
-  /// Solves `count` instances, which fill at least a pack. Returns how many were solved by
-  /// themselves.
+  /// Solves `count` instances, at least one pack. Returns how many were solved alone.
   [[nodiscard]] std::size_t run(std::size_t count) {
     std::size_t alone = 0;
     for (std::size_t solved = 0; solved < count;) {
-      // Instances that do not fill their packs overlap with those before, if there are enough.
+      // Packs that are not full overlap the previous ones, if there are enough instances.
       const std::size_t most = (std::min)(count - solved, packs * Lanes);
       const std::size_t left = solved < Lanes ? most / Lanes * Lanes : most;
       const std::size_t filled = (left + Lanes - 1) / Lanes;
@@ -131,8 +130,8 @@ class SceneBatch {
     return alone;
   }
 
-  /// Lists one configuration of several instances of a pack. Returns those for which it is not
-  /// certain whether they keep the limits of joints.
+  /// Lists one configuration of several instances of a pack. Returns those for which joint limits
+  /// are not decided with certainty.
   [[nodiscard]] unsigned operator()(std::size_t pack, const typename Own::Placed& placed,
                                     unsigned lanes) {
     unsigned unsure = 0;
@@ -168,8 +167,8 @@ class SceneBatch {
   }
 
  private:
-  /// Solves the instances from `first` on that fill `filled` packs. Returns those that are to be
-  /// solved by themselves, a bit for each lane of each pack.
+  /// Solves the instances from `first` on that fill `filled` packs. Returns those that must be
+  /// solved alone, a bit for each lane of each pack.
   [[nodiscard]] Sets solve_together(std::size_t first, std::size_t filled) {
     first_ = first;
     most_ = {};
@@ -196,7 +195,7 @@ class SceneBatch {
     return unsure;
   }
 
-  /// Puts a configuration behind those that the lanes have already.
+  /// Appends a configuration to those of the lanes.
   void put(std::size_t pack, unsigned lanes, State<Pack>& state, const typename Own::Key& key) {
     const std::size_t at = first_ + pack * Lanes;
     auto& having = having_[pack];
@@ -205,7 +204,7 @@ class SceneBatch {
       return index == 0 ? all_lanes : having[index - 1];
     };
     if ((lanes & ~reaching(most)) == 0) {
-      // No lane has a configuration in this place yet, so the other lanes may get any.
+      // No lane has a configuration at this index yet, so the other lanes may receive any.
       for_each_column(state, [&](const Pack& number, std::size_t column) {
         number.store(result_.column(most, column) + at);
       });
@@ -243,7 +242,7 @@ class SceneBatch {
     }
     return one > Pack(0);
   }
-  /// The longest displacement of a slide in each lane, which is the unit of all.
+  /// The longest displacement of a slide in each lane, the unit of all displacements.
   [[nodiscard]] Pack longest(std::size_t pack) const {
     Pack result(0);
     for (std::size_t index = 0; index < most_[pack]; ++index) {
@@ -256,8 +255,8 @@ class SceneBatch {
     return result;
   }
 
-  /// Sorts the configurations of a pack by insertion, as `support::put_in_order` does those of one
-  /// instance. Returns the lanes in which rounding might decide the order.
+  /// Sorts the configurations of a pack by insertion, in the order of `support::put_in_order`.
+  /// Returns the lanes in which rounding might decide the order.
   [[nodiscard]] unsigned put_in_order(std::size_t pack) {
     auto& keys = keys_[pack];
     constexpr bool has_lengths = std::tuple_size_v < typename Own::Key >> Own::lengths_from;
@@ -277,7 +276,7 @@ class SceneBatch {
     }
     return unsure;
   }
-  /// Exchanges a configuration of some lanes with the one before.
+  /// Exchanges a configuration of some lanes with the previous one.
   void exchange(std::size_t pack, std::size_t place, unsigned lanes) {
     const Truth moving = where(lanes);
     const std::size_t at = first_ + pack * Lanes;
@@ -298,7 +297,7 @@ class SceneBatch {
     }
   }
 
-  /// Writes what was found for the instances of a pack.
+  /// Writes the results of the instances of a pack.
   void finish(std::size_t pack) const {
     const std::size_t at = first_ + pack * Lanes;
     std::fill_n(result_.status + at, Lanes, AssemblyStatus::ok);
@@ -320,21 +319,21 @@ class SceneBatch {
   const LoneInstances<Solver>& lone_;
   const BatchSolutions<Solver>& result_;
   std::size_t first_ = 0;
-  /// For each pack, the lanes that have more than k configurations, a bit each, for every k, and
-  /// how many the lane with most of them has.
+  /// For each pack and each k, the lanes with more than k configurations, a bit each; and the
+  /// largest number of configurations in a lane.
   std::array<std::array<unsigned, capacity>, packs> having_;
   std::array<std::size_t, packs> most_{};
   std::array<int, packs * Lanes> left_out_{};
   std::array<std::array<typename Own::Key, capacity>, packs> keys_;
 };
 
-/// Whether several instances of a solver are solved at once: its code can be compiled with packs
-/// for numbers, and what is kept of all configurations fits on a stack.
+/// Whether several instances of a solver are solved at once: its code compiles with packs as
+/// numbers, and the data of all configurations fit on the stack.
 template <typename Solver>
 inline constexpr bool is_solved_in_packs =
     Access<Solver, double>::in_packs&& Solver::max_configurations <= 256;
 
-/// Solves `count` instances of an emitted solver. Returns how many were solved by themselves.
+/// Solves `count` instances of an emitted solver. Returns how many were solved alone.
 template <typename Solver, std::size_t Lanes>
 std::size_t solve_batch(std::size_t count, const GivenColumns& drivers,
                         const GivenColumns& parameters, const BatchSolutions<Solver>& result) {

@@ -1,4 +1,4 @@
-// A branch of an emitted solver, and how its groups are judged and placed.
+// A branch of an emitted solver, and the regularity and placement of its groups.
 #pragma once
 
 #include <assur/detail/pivots.hpp>
@@ -11,13 +11,13 @@
 
 namespace assur::support {
 
-/// A group on a branch: where it is held and stands, and J^-1 there.
+/// A group on a branch: inputs, configuration and J^-1.
 template <typename Group, typename Scalar>
 struct GroupPoint {
   typename Group::template Inputs<Scalar> u;
   typename Group::template Configuration<Scalar> q;
   Matrix<Scalar, Group::unknown_count, Group::equation_count> inverse;
-  Vector<Scalar, Group::pivot_count> pivots;  ///< J is singular where one vanishes
+  Vector<Scalar, Group::pivot_count> pivots;  ///< J is singular if one vanishes
 };
 
 template <typename Groups, typename Scalar>
@@ -27,21 +27,21 @@ struct GroupPoints<std::tuple<Group...>, Scalar> {
   using Type = std::tuple<GroupPoint<Group, Scalar>...>;
 };
 
-/// The place to which a branch of an emitted solver has been followed.
+/// A point of a branch of an emitted solver.
 template <typename Solver, typename Scalar = double>
 struct Branch {
   typename Access<Solver, Scalar>::Given given;
   typename GroupPoints<typename Access<Solver, Scalar>::Groups, Scalar>::Type groups;
-  /// Where the branch has been followed to a place at which others cross it, or so close to it that
-  /// velocities are not known, it is kept as it was a little before: that tells how it goes on.
+  /// Whether the branch was followed to a crossing, or so close to one that velocities are unknown.
+  /// The point stored is then one shortly before it, from which the branch can be continued.
   bool is_kept_before = false;
-  typename Access<Solver, Scalar>::Given followed_to;  ///< what was given there
-  /// ok or near_singular; with any other status nothing can be followed from here. singular also
-  /// where a branch begins and velocities are not known: it may be any of those that meet there.
+  typename Access<Solver, Scalar>::Given followed_to;  ///< the arguments at the crossing
+  /// ok or near_singular; with any other status the branch cannot be followed. singular also if
+  /// velocities are unknown at the start: the branch may be any of those that meet there.
   Status status = Status::singular;
 };
 
-/// Judges and places the groups of a branch.
+/// Regularity and placement of the groups of a branch.
 template <typename Solver, typename Scalar>
 struct BranchGroups {
   using Own = Access<Solver, Scalar>;
@@ -56,7 +56,7 @@ struct BranchGroups {
     return detail::pivots_at<Model, Scalar>(typename Model::template Dimensions<Scalar>(), u, q)
         .values;
   }
-  /// How regular a group is; singular where it is not known on which branch it is.
+  /// The regularity of a group; singular if its branch is undetermined.
   template <typename Group>
   [[nodiscard]] static Status look(const GroupPoint<Group, Scalar>& point,
                                    const detail::Pivots<Specialised<Group>, Scalar>& pivots) {
@@ -66,8 +66,8 @@ struct BranchGroups {
     return regularity.knows_velocities() ? regularity.status : Status::singular;
   }
 
-  /// Places a group on the way, and counts its regularity. False where the groups before it are so
-  /// far displaced by rounding that it is not known on which branch the group is.
+  /// Places a group, and updates the branch's status by its regularity. False if rounding displaces
+  /// the preceding groups so far that the group's branch is undetermined.
   template <typename Group>
   [[nodiscard]] static bool place(const Held<Group>& held, const GroupPoint<Group, Scalar>& point,
                                   Status status, Branch<Solver, Scalar>& branch, Placed& placed) {

@@ -1,4 +1,4 @@
-// Turns the drivers and states of many instances of an emitted solver into columns of numbers.
+// Drivers and states of many instances of an emitted solver as columns of numbers.
 #pragma once
 
 #include <array>
@@ -89,7 +89,7 @@ template <typename Scalar, typename Part>
   if constexpr (has_velocity<Part> || has_acceleration<Part>) {
     visit_rates(part, add, numbers);
   } else if constexpr (has_members<Part>) {
-    // Sums of parts do not wait for one another.
+    // The sums of parts are independent of each other.
     std::apply([&](auto&... member) { (add(sum_of_rates(member, numbers)), ...); }, part.members());
   }
   return sum;
@@ -105,7 +105,7 @@ inline constexpr bool has_pose = false;
 template <typename Part>
 inline constexpr bool has_pose<Part, std::void_t<decltype(std::declval<Part&>().pose)>> = true;
 
-/// Calls `use` with every coordinate of the places of links and points in a part of a state.
+/// Calls `use` with every position coordinate of links and points in a part of a state.
 template <typename Scalar, typename Part, typename Use>
 void visit_places(Part& part, Use& use, Scalar* numbers) {
   if constexpr (has_position<Part>) {
@@ -117,7 +117,7 @@ void visit_places(Part& part, Use& use, Scalar* numbers) {
   }
 }
 
-/// How many numbers there are in a part.
+/// The number of numbers in a part.
 template <typename Scalar>
 constexpr std::size_t count(const Scalar* /*part*/, const Scalar* /*numbers*/) {
   return 1;
@@ -150,8 +150,8 @@ constexpr std::size_t count_all(std::tuple<Members&...>* /*members*/,
 
 }  // namespace columns
 
-/// How many numbers there are in the drivers, the parameters or a state of a solver, each of which
-/// has a column in a batch: column_count<Solver::State<double>>.
+/// The number of numbers in the drivers, the parameters or a state of a solver; each has a column
+/// in a batch: column_count<Solver::State<double>>.
 template <typename Variables>
 inline constexpr std::size_t column_count = columns::count(static_cast<const Variables*>(nullptr),
                                                            static_cast<const double*>(nullptr));
@@ -164,7 +164,7 @@ void for_each_column(Variables<Scalar>& variables, const Use& use) {
   columns::visit(variables, use_next, static_cast<Scalar*>(nullptr));
 }
 
-/// Makes a state one of which nothing is known yet.
+/// Sets every number of a state to NaN, and its regularity to singular.
 template <template <typename> class State, typename Scalar>
 void clear_state(State<Scalar>& state) {
   for_each_column(state, [](Scalar& number, std::size_t) {
@@ -173,15 +173,15 @@ void clear_state(State<Scalar>& state) {
   state.regularity = Status::singular;
 }
 
-/// Whether the sum of all velocities and accelerations of a state is finite, so that each of them
-/// is; for packs, in which lanes.
+/// Whether the sum of all velocities and accelerations of a state is finite, and so each of them;
+/// lane by lane for packs.
 template <template <typename> class State, typename Scalar>
 [[nodiscard]] auto is_sum_of_rates_finite(State<Scalar>& state) {
   const Scalar sum = columns::sum_of_rates(state, static_cast<Scalar*>(nullptr));
   return sum - sum == Scalar(0);
 }
 
-/// Whether the places of all links and points in a state are finite; for packs, in which lanes. A
+/// Whether the positions of all links and points in a state are finite; lane by lane for packs. A
 /// formula in the solver's parameters may have no value.
 template <template <typename> class State, typename Scalar>
 [[nodiscard]] auto are_places_finite(State<Scalar>& state) {
@@ -191,7 +191,7 @@ template <template <typename> class State, typename Scalar>
   return sum == Scalar(0);
 }
 
-/// Makes a state whose rates leave the range of the scalar near-singular, and these rates NaN.
+/// Marks a state with infinite rates as near-singular, and sets these rates to NaN.
 template <template <typename> class State, typename Scalar>
 void mark_infinite_rates(State<Scalar>& state) {
   if (!is_sum_of_rates_finite(state)) {

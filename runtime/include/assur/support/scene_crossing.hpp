@@ -1,4 +1,4 @@
-// How a branch of an emitted solver goes over a place at which branches cross.
+// Continuation of a branch of an emitted solver across a point at which branches cross.
 #pragma once
 
 #include <algorithm>
@@ -16,14 +16,14 @@
 
 namespace assur::support {
 
-/// How far a branch has gone over a crossing.
+/// The result of a step across a crossing.
 template <typename Scalar>
 struct Landing {
-  bool is_refused = true;  ///< the place may be of another branch
+  bool is_refused = true;  ///< the point may lie on another branch
   Scalar part = 0;         ///< of the whole way
 };
 
-/// The crossing that lies ahead of a branch on a straight way of the arguments, if any.
+/// The next crossing of a branch on a straight path of the arguments, if there is one.
 template <typename Solver, typename Scalar>
 class CrossingAhead {
   using Branch = support::Branch<Solver, Scalar>;
@@ -36,21 +36,21 @@ class CrossingAhead {
   using OfGroups = BranchGroups<Solver, Scalar>;
 
  public:
-  /// Whether the branch has come to the place from which it goes over the crossing.
+  /// Whether the branch has reached the point from which it steps across the crossing.
   [[nodiscard]] bool is_reached(Scalar part) const { return !(part < before_); }
-  /// The part of the way at which this place is; infinite where no crossing is known.
+  /// The fraction of the path at which this point lies; infinite if no crossing is known.
   [[nodiscard]] Scalar before() const { return before_; }
   void leave_behind() { before_ = std::numeric_limits<Scalar>::infinity(); }
-  /// Goes closer, where a branch could not go over it from a place. False where the crossing is
-  /// not known well enough for that.
+  /// Moves this point closer to the crossing, after a refused step. False if the crossing is not
+  /// known accurately enough.
   [[nodiscard]] bool comes_closer(Scalar reached) {
     const Scalar distance = (at_.part - reached) / 4;
     before_ = at_.part - distance;
     return distance * speed_ > std::cbrt(std::numeric_limits<Scalar>::epsilon());
   }
 
-  /// Looks for a crossing where a pivot will vanish if all goes on as it begins, once from each
-  /// place. `next` is where a step was refused.
+  /// Looks for a crossing where linear extrapolation predicts a vanishing pivot, once from each
+  /// point. `next` is the point at which a step was refused.
   [[gnu::noinline, gnu::cold]] void seek(const Given& from, const Given& to, const Branch& start,
                                          Scalar reached, Scalar next) {
     if (reached == sought_from_) {
@@ -64,8 +64,8 @@ class CrossingAhead {
     if (!(nearest <= farthest)) {
       return;
     }
-    // A group loses one rank at least, and no more than one for each two unknowns, as a tetrad does
-    // where all of its joints are in line.
+    // A group loses at least one rank, and at most one for every two unknowns, as a tetrad does if
+    // all of its joints are collinear.
     PivotSets<Groups> vanishing{};
     int corank = 0;
     int most_corank = 0;
@@ -102,7 +102,7 @@ class CrossingAhead {
     }
   }
 
-  /// Goes on behind the crossing as far as the branch is before it, or to the end of the way.
+  /// Steps as far beyond the crossing as the branch is before it, or to the end of the path.
   [[nodiscard, gnu::noinline, gnu::cold]] Landing<Scalar> land(const Given& from, const Given& to,
                                                                const Branch& start, Scalar reached,
                                                                Branch& end, Placed& placed) const {
@@ -128,8 +128,7 @@ class CrossingAhead {
     bool is_known = true;
     detail::PivotSet reversed = 0;
     if (land_groups<0>(predicted, &vanishing_, start, is_known, reversed, end, placed)) {
-      // Each rank that is lost reverses the sign of det J once. Where velocities are not known,
-      // signs are not.
+      // Each lost rank reverses the sign of det J once. If velocities are unknown, so are signs.
       const auto expected = ratio > 0 ? static_cast<detail::PivotSet>(corank_) % 2 : 0;
       landing.is_refused = is_known ? reversed != expected : landing.part < 1;
     } else if (is_on_it) {
@@ -151,15 +150,15 @@ class CrossingAhead {
   template <typename Group>
   using Held = HeldJoints<Group, Scalar, Solver::order, Solver::parameter_count>;
 
-  /// How far from a crossing a branch goes over it at most, in what holds the groups: what is
-  /// predicted there is known to three eighths of the digits.
+  /// The largest distance from a crossing at which a branch steps across it, in the groups' inputs:
+  /// the prediction then has three eighths of the digits.
   static constexpr Scalar widest_landing =
       numeric::power_of_two<Scalar>(-(std::numeric_limits<Scalar>::digits / 8));
-  /// Nearer to a crossing than this, in what holds the groups, is on it: a few times what is known
-  /// of its place.
+  /// Points closer to a crossing than this, in the groups' inputs, count as on it: a few times the
+  /// error of its position.
   static constexpr Scalar on_crossing = 16 * numeric::half_of_digits<Scalar>;
 
-  /// Where a branch begins to move, and how fast.
+  /// A point just beyond the start of a step, and the speed of the groups' inputs there.
   struct Beside {
     Scalar speed = 0;
     Scalar part = numeric::half_of_digits<Scalar>;  ///< of the whole way
@@ -168,7 +167,8 @@ class CrossingAhead {
   [[nodiscard, gnu::noinline]] static Beside beside(const Given& from, const Given& to,
                                                     const Branch& start, Scalar reached) {
     Beside result;
-    for (int time = 0; time < 2; ++time) {  // the second time with half of the digits in all units
+    for (int time = 0; time < 2;
+         ++time) {  // the second pass resolves half of the digits in all units
       Closures(from, to, 1)
           .place(reached + result.part, Closures::configurations_of(start.groups), &start.groups,
                  result.there);
@@ -180,7 +180,7 @@ class CrossingAhead {
     return result;
   }
 
-  /// Finds the part of the way after which each pivot vanishes, and returns the least.
+  /// Finds the fraction of the path after which each pivot vanishes, and returns the least.
   template <typename Zeros>
   [[nodiscard]] static Scalar find_zeros(const Branch& start, const Beside& aside, Zeros& zeros) {
     Scalar nearest = std::numeric_limits<Scalar>::infinity();
@@ -199,9 +199,9 @@ class CrossingAhead {
     return nearest;
   }
 
-  /// Corrects and places the groups from `Place` on; false where one may be of another branch.
-  /// `is_known` becomes false where velocities are not. On the crossing itself, where no pivots
-  /// `vanish` nearby, nothing is corrected.
+  /// Corrects and places the groups from `Place` on; false if one may lie on another branch.
+  /// `is_known` becomes false if velocities are unknown. On the crossing itself, `vanishing` being
+  /// null, nothing is corrected.
   template <std::size_t Place, typename Configurations>
   [[nodiscard]] static bool land_groups(const Configurations& predicted,
                                         const PivotSets<Groups>* vanishing, const Branch& start,
@@ -228,8 +228,8 @@ class CrossingAhead {
       return land_groups<Place + 1>(predicted, vanishing, start, is_known, reversed, end, placed);
     }
   }
-  /// Corrects a group's configuration; false where it may be of another branch. `reversed` is
-  /// whether the signs of the groups' determinants are reversed an odd number of times.
+  /// Corrects a group's configuration; false if it may lie on another branch. `reversed` is whether
+  /// the signs of the groups' determinants are reversed an odd number of times.
   template <typename Group>
   [[nodiscard]] static bool is_led_to(detail::PivotSet vanishing,
                                       const GroupPoint<Group, Scalar>& start,
@@ -244,7 +244,7 @@ class CrossingAhead {
                                                     point.inverse)) {
       return false;
     }
-    // Another branch is no nearer than 1 / |J^-1|, for closures bend by about one.
+    // Another branch is no nearer than 1 / |J^-1|, since the curvature of closures is about one.
     const Scalar correction = way.cwiseAbs().maxCoeff() * point.inverse.cwiseAbs().sum();
     const auto pivots = detail::pivots_at<Model, Scalar>(d, point.u, point.q);
     point.pivots = pivots.values;
@@ -258,10 +258,10 @@ class CrossingAhead {
 
   typename Closures::Point at_;
   PivotSets<Groups> vanishing_{};  ///< at the crossing
-  int corank_ = 0;                 ///< how many ranks are lost there
-  Scalar speed_ = 0;  ///< how much of what holds the groups changes along the whole way
+  int corank_ = 0;                 ///< the number of ranks lost there
+  Scalar speed_ = 0;               ///< change of the groups' inputs along the whole path
   Scalar before_ = std::numeric_limits<Scalar>::infinity();
-  Scalar sought_from_ = -1;  ///< the part of the way from which it was looked for last
+  Scalar sought_from_ = -1;  ///< the fraction of the path from which the last search started
 };
 
 }  // namespace assur::support

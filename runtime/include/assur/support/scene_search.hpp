@@ -1,5 +1,4 @@
-// Turns the groups of an emitted solver, one behind the other, into every configuration of the
-// mechanism.
+// All configurations of a mechanism, by depth-first search over the groups of an emitted solver.
 #pragma once
 
 #include <algorithm>
@@ -27,9 +26,9 @@ struct GroupConfigurations<std::tuple<Group...>, Scalar> {
   using Type = std::tuple<typename Group::template Configuration<Scalar>...>;
 };
 
-/// The search of an emitted solver, depth first: once the groups before it are placed, each
-/// configuration of a group in turn places its links, in place of the configuration before. If
-/// `Keeps`, the search remembers the configurations of the groups.
+/// The depth-first search of an emitted solver: once the preceding groups are placed, each
+/// configuration of a group in turn places its links, overwriting the previous one. If `Keeps`, the
+/// search stores the configurations of the groups.
 template <typename Solver, typename Scalar, bool Keeps = false>
 class Search {
   using State = typename Solver::template State<Scalar>;
@@ -49,7 +48,7 @@ class Search {
 
   explicit Search(States& states) : states_(states) {}
 
-  /// Every configuration within the limits of joints, in the order of `assur solve`.
+  /// All configurations within the joint limits, in the order of `assur solve`.
   [[nodiscard, gnu::flatten]] Solution run(const typename Own::Given& given) {
     is_moderate_ = Own::is_looked_at && Own::are_below(given, moderate<Scalar>);
     if (Own::is_looked_at && !is_moderate_ && !Own::is_finite(given)) {
@@ -62,8 +61,8 @@ class Search {
     const bool is_lost = is_unsure_ && solution_.count == 0;
     if (Own::has_gaps && (solution_.families > 0 || is_lost) &&
         solution_.status == AssemblyStatus::ok) {
-      // It is not known here whether the redundant constraints let the families move, or where
-      // groups stand whose neighbours rounding has moved far.
+      // It is unknown whether the redundant constraints let the families move, or where groups are
+      // whose neighbours rounding has displaced far.
       solution_.status = AssemblyStatus::unresolved;
       solution_.families = solution_.mobility = 0;
     }
@@ -81,7 +80,7 @@ class Search {
     return solution_;
   }
 
-  /// The configurations of the groups in a configuration of the mechanism, by its number from 0.
+  /// The configurations of the groups in a configuration of the mechanism, by its index from 0.
   [[nodiscard]] const Configurations& kept(int configuration) const {
     return detail::entry(kept_, configuration);
   }
@@ -101,8 +100,9 @@ class Search {
     }
   }
 
-  /// Where a mechanism without its redundant constraints is singular, these nearly hold around a
-  /// configuration where they hold: one that misses much more than another nearby is left out.
+  /// If a mechanism without its redundant constraints is singular, these constraints nearly hold in
+  /// a neighbourhood of each true configuration: a configuration with a much larger residual than a
+  /// near one is left out.
   void leave_out_almost_closed() {
     constexpr Scalar near = std::is_same_v<Scalar, float> ? Scalar(0.1) : Scalar(0.01);
     constexpr Scalar much_more = 16;
@@ -116,8 +116,8 @@ class Search {
       return true;
     };
     const auto is_none_beside = [&](std::size_t one, std::size_t other) {
-      // Two that rounding had kept apart become one when all constraints are closed together: the
-      // constraints hold to 32 eps halfway between, which the square of the distance over 8 misses.
+      // Two configurations that only rounding separates coincide when all constraints are closed
+      // together: halfway between them the residual is the squared distance over 8, at most 32 eps.
       constexpr Scalar equal = 16 * numeric::half_of_digits<Scalar>;
       return gaps_[one] > (std::max)(much_more * gaps_[other], rounding)
                  ? are_near(one, other, near)
@@ -145,12 +145,12 @@ class Search {
   /// Groups that have no configuration on the present path of the search.
   struct Loose {
     Set moving = 0;  ///< those that move freely, or are inconsistent
-    Set all = 0;     ///< also those that such groups hold
+    Set all = 0;     ///< these and the groups that they hold
   };
 
   /// Searches the groups from `Place` on; beyond the last, the configuration is listed. Every group
-  /// but the first has a function of its own: inlined into one another, at each call of the next,
-  /// they would grow beyond what compilers bear.
+  /// but the first has a separate function: inlined into each other, at each call of the next, they
+  /// would grow beyond what compilers can handle.
   template <std::size_t Place>
   void proceed(Placed& placed, Loose loose) {
     if constexpr (Place < group_count) {
@@ -162,8 +162,9 @@ class Search {
     } else if (loose.moving != 0) {
       count_families(loose.moving);
     } else if constexpr (Own::settles) {
-      // Nearly singular groups may be placed far from where all constraints together hold. Where
-      // these hold, they may lock the mechanism: then they contradict one another's rates.
+      // Nearly singular groups may be placed far from the closure of all constraints together. At
+      // that closure the constraints may lock the mechanism: then their rates contradict each
+      // other.
       const bool is_regular = placed.regularity == Status::ok;
       const Scalar gap = Own::gap(placed);
       const bool holds = is_regular && gap <= redundancy_slack(Scalar(1), Status::ok);
@@ -186,7 +187,8 @@ class Search {
       keep(placed, placed);
     }
   }
-  /// Lists a configuration. Redundant constraints are measured where the groups alone place it.
+  /// Lists a configuration. The residual of redundant constraints is that of the placement by the
+  /// groups alone.
   void keep(const Placed& placed, const Placed& by_groups) {
     const auto slot = static_cast<std::size_t>(solution_.count++);
     if (is_moderate_ && !Own::has_own_rates) {
@@ -212,7 +214,7 @@ class Search {
     descend<Place>(placed, loose);
   }
 
-  /// Searches a group in each of its configurations, and the groups behind it.
+  /// Searches each configuration of a group, and the groups after it.
   template <std::size_t Place>
   void descend(Placed& placed, Loose loose) {
     using Group = std::tuple_element_t<Place, Groups>;
@@ -224,8 +226,8 @@ class Search {
     }
     HeldJoints<Group, Scalar, Solver::order, Solver::parameter_count> held;
     Own::hold(placed, held);
-    // Where float does not determine a group's configurations, the caller of the whole search
-    // decides what is to be done: behind rounded groups double would not determine them either.
+    // If float does not determine a group's configurations, the caller of the whole search decides
+    // what to do: after rounded groups double would not determine them either.
     const auto found =
         assemblies<Specialised<Group>, Scalar, Unresolved::refuse>({}, held.u, held.displaced);
     if (found.status != AssemblyStatus::ok && found.status != AssemblyStatus::degenerate) {
@@ -255,8 +257,8 @@ class Search {
     }
   }
 
-  /// Counts the families of groups that move while all others are assembled, each once for the
-  /// choices of the groups that hold it.
+  /// Counts the families of moving groups while all others are assembled, each once for each
+  /// combination of configurations of the groups that hold it.
   void count_families(Set moving) {
     for (std::size_t group = 0; group < group_count; ++group) {
       if ((moving >> group & 1U) == 0) {
@@ -272,7 +274,7 @@ class Search {
       }
     }
   }
-  /// A number for the combination of configurations in which some groups stand.
+  /// An index for the combination of configurations of the groups in a set.
   [[nodiscard]] std::size_t choice_of_holders(Set holders) const {
     std::size_t choice = 0;
     for (std::size_t group = 0; group < group_count; ++group) {
@@ -292,10 +294,10 @@ class Search {
   States& states_;
   std::array<typename Own::Key, capacity> keys_;
   Solution solution_;
-  bool is_unsure_ = false;    ///< whether a group had no configuration behind nearly singular ones
-  bool is_moderate_ = false;  ///< whether all arguments are
+  bool is_unsure_ = false;    ///< whether a group after nearly singular ones had no configuration
+  bool is_moderate_ = false;  ///< whether all arguments are below `moderate`
   Configurations current_;
-  std::array<std::size_t, group_count> choices_{};  ///< the numbers of the groups' configurations
+  std::array<std::size_t, group_count> choices_{};  ///< the indices of the groups' configurations
   std::array<int, group_count> mobilities_{};       ///< of groups that move
   std::array<std::array<Set, capacity / 64 + 1>, group_count> counted_{};  ///< families
   std::array<Configurations, Keeps ? capacity : 0> kept_;

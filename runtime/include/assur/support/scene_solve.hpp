@@ -1,5 +1,5 @@
-// Turns the arguments of an emitted solver into its configurations, in double where float does not
-// determine them.
+// Configurations of an emitted solver from its arguments, in double if float does not determine
+// them.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace assur::support {
 
-/// Whether double is asked where a scalar does not determine the configurations.
+/// Whether double is used if a scalar does not determine the configurations.
 template <Unresolved unresolved, typename Scalar>
 inline constexpr bool asks_double =
     unresolved == Unresolved::ask_double && !std::is_same_v<Scalar, double>;
 
-/// Solves in double what is given in another scalar: the scene's own numbers have all their digits
-/// there, and the given numbers count as exact.
+/// Solves in double for arguments in another scalar: the scene's own numbers have all their digits,
+/// and the arguments count as exact.
 template <typename Solver, typename Scalar>
 class InDouble {
   using Own = Access<Solver, Scalar>;
@@ -33,8 +33,8 @@ class InDouble {
   }
 
   [[nodiscard]] const typename Solver::Solution& solution() const { return solution_; }
-  /// The configurations of the groups in a configuration of the mechanism, by its number from 0,
-  /// rounded.
+  /// The rounded configurations of the groups in a configuration of the mechanism, by its index
+  /// from 0.
   [[nodiscard]] Configurations rounded(int configuration) const {
     Configurations result;
     round<0>(search_.kept(configuration), result);
@@ -69,7 +69,7 @@ class InDouble {
   typename Solver::Solution solution_;
 };
 
-/// The regularity of a group where it stands, by its pivots.
+/// The regularity of a group in its present configuration, by its pivots.
 template <typename Group, typename Scalar>
 [[nodiscard]] Status regularity_of_group(const typename Group::template Inputs<Scalar>& u,
                                          const typename Group::template Configuration<Scalar>& q) {
@@ -101,8 +101,8 @@ void place_known(const Configurations& known, Placed& placed) {
   }
 }
 
-/// Fills the states of another scalar with every configuration that double finds: those of the
-/// groups are rounded, and all that follows is computed in that scalar, with its verdicts.
+/// Fills the states of another scalar with all configurations found in double: those of the groups
+/// are rounded, and everything else is computed in that scalar, including the verdicts.
 template <typename Solver, typename Scalar>
 [[nodiscard, gnu::noinline, gnu::cold]] typename Solver::Solution solve_in_double(
     const typename Access<Solver, Scalar>::Given& given,
@@ -115,7 +115,7 @@ template <typename Solver, typename Scalar>
     place_known<Solver, Scalar, 0>(wide.rounded(index), placed);
     if constexpr (Own::settles) {
       if (placed.regularity != Status::ok) {
-        (void)Own::settle(placed);  // it has settled in double
+        (void)Own::settle(placed);  // it has already settled in double
       }
     }
     Own::list(placed, detail::entry(states, index));
@@ -123,7 +123,7 @@ template <typename Solver, typename Scalar>
   return wide.solution();
 }
 
-/// Every configuration within the limits of joints, in the order of `assur solve`.
+/// All configurations within the joint limits, in the order of `assur solve`.
 template <typename Solver, Unresolved unresolved, typename Scalar>
 [[nodiscard]] typename Solver::Solution solve(
     const typename Access<Solver, Scalar>::Given& given,
@@ -138,8 +138,8 @@ template <typename Solver, Unresolved unresolved, typename Scalar>
   return solution;
 }
 
-/// Finds the configurations of the groups in one configuration of the mechanism, by its number from
-/// 0; they are set where there is one of that number.
+/// Finds the configurations of the groups in one configuration of the mechanism, by its index from
+/// 0; they are set if that configuration exists.
 template <Unresolved unresolved, typename Solver, typename Scalar>
 [[nodiscard]] typename Solver::Solution choose(
     const typename Access<Solver, Scalar>::Given& given, int configuration,

@@ -1,4 +1,4 @@
-// Follows a branch of an emitted solver to where the drivers stand elsewhere. Solvers include this
+// Tracking of a branch of an emitted solver to other positions of the drivers. Solvers include this
 // for all that they call, batches too.
 #pragma once
 
@@ -18,25 +18,26 @@
 
 namespace assur::support {
 
-/// How far a branch was followed.
+/// The result of following a branch.
 struct Track {
-  /// ok, or near_singular: at the end of the way. no_convergence: within 0.2% of the way from
-  /// `reached` the branch ends or comes too close to another without crossing it, or a driver turns
-  /// by more than 2000 radians. singular: the way turns off where branches cross. not_finite: a
-  /// driver is. Or the status of a branch that cannot be followed.
+  /// ok or near_singular: the end of the path is reached. no_convergence: within 0.2% of the path
+  /// beyond `reached` the branch ends or comes too close to another without crossing it, or a
+  /// driver turns by more than 2000 radians. singular: the path changes direction at a crossing of
+  /// branches. not_finite: a driver is not finite. Otherwise the status of a branch that cannot be
+  /// followed.
   Status status = Status::singular;
-  double reached = 0;  ///< the part of the way to the last point that is certainly of the branch
+  double reached = 0;  ///< the fraction of the path to the last point certain to lie on the branch
 };
 
 /// The same for the solver of a scene with limits: a branch is followed through them and back.
 struct LimitedTrack : Track {
-  bool within_limits = false;  ///< whether the state, where it was filled, keeps them
+  bool within_limits = false;  ///< whether the state, if it was filled, keeps them
 };
 
-/// Follows branches of an emitted solver without rates. A step is taken for one of the same branch
-/// where Newton's steps contract, no pivot changes its sign or goes to zero from both ends, and the
-/// linear predictions from both ends agree with the way; otherwise it is halved. Where branches
-/// cross, a branch goes on along the tangent and the bend with which it comes.
+/// Follows branches of an emitted solver without rates. A step is accepted as one on the same
+/// branch if Newton's steps contract, no pivot changes its sign or tends to zero from both ends,
+/// and the linear predictions from both ends agree with the path; otherwise it is halved. At a
+/// crossing a branch is continued with its tangent and curvature.
 template <typename Solver, typename Scalar>
 class Tracker {
   using Branch = support::Branch<Solver, Scalar>;
@@ -49,8 +50,8 @@ class Tracker {
   using OfGroups = BranchGroups<Solver, Scalar>;
 
  public:
-  /// The branch of a configuration, by its number in the solver's list, from 0; no_convergence
-  /// where no configuration has that number, or where float does not determine them.
+  /// The branch of a configuration, by its index in the solver's list, from 0; no_convergence if
+  /// there is no such configuration, or if float does not determine the configurations.
   template <Unresolved unresolved>
   static Branch begin(const Given& given, int configuration) {
     Branch branch;
@@ -73,7 +74,7 @@ class Tracker {
   }
 
   /// Follows a branch to where the drivers stand at `to`, and fills the state there. The state is
-  /// not changed where the branch is not followed to the end.
+  /// unchanged if the branch is not followed to the end.
   [[nodiscard]] static Track run(const Given& to, Branch& branch, State& state) {
     Track way;
     way.status = branch.status;
@@ -91,7 +92,8 @@ class Tracker {
     }
     const Scalar turn = largest_turn(branch.given, to);
     const bool moves_by_formulas = Own::has_laws || Own::parameters_differ(branch.given, to);
-    // No driver turns by more than a radian: after a full turn the groups are held as before.
+    // No driver turns by more than a radian a step: after a full turn the groups' inputs are the
+    // same as before.
     const Scalar widest = 1 / (std::max)(turn, Scalar(1));
     std::array<Branch, 2> ends;
     CrossingAhead<Solver, Scalar> crossing;
@@ -187,13 +189,13 @@ class Tracker {
     }
   }
 
-  /// How far a step goes.
+  /// The size of a step.
   struct StepSize {
-    Scalar turn;    ///< the largest of a driver or of a group that is placed, radians
-    bool is_small;  ///< so that no pivot can vanish within twice the step; not known of formulas
+    Scalar turn;    ///< the largest turn of a driver or of a placed group, radians
+    bool is_small;  ///< no pivot can vanish within twice the step; unknown for formulas
   };
 
-  /// Steps the groups from `Place` on; false where one refuses the step.
+  /// Steps the groups from `Place` on; false if one refuses the step.
   template <std::size_t Place>
   [[nodiscard]] static bool step(const Branch& start, Branch& end, Placed& placed, StepSize& size) {
     if constexpr (Place == std::tuple_size_v<Groups>) {
@@ -214,9 +216,9 @@ class Tracker {
   static constexpr bool has_groups = std::tuple_size_v<Groups> > 0;
   using PivotSets = support::PivotSets<Groups>;
 
-  /// Whether a pivot may vanish as seen from both ends of a step: then the step may have passed
-  /// over a crossing of branches to the one whose pivots have the same signs, or over a gap in
-  /// which nothing can be assembled.
+  /// Whether extrapolation from both ends of a step predicts that a pivot vanishes: then the step
+  /// may have passed a crossing onto the branch whose pivots have the same signs, or a gap in which
+  /// nothing can be assembled.
   [[nodiscard, gnu::noinline]] static bool may_pass_singularity(const Branch& start,
                                                                 const Branch& end) {
     Scalar largest = 0;
@@ -237,8 +239,8 @@ class Tracker {
     }
     return meet;
   }
-  /// For each group the pivots that may vanish within twice a step. The drivers go by a part of the
-  /// way, which moves what holds the groups by half of its digits.
+  /// For each group, the pivots that may vanish within twice a step. They are extrapolated from a
+  /// small `part` of the path, which changes the groups' inputs by half of their digits.
   [[nodiscard]] static PivotSets vanishing(const Branch& from, const Branch& to, Scalar part) {
     PivotSets sets{};
     typename Closures::Place there;
@@ -254,8 +256,9 @@ class Tracker {
     });
     return sets;
   }
-  /// Whether a way to `to` goes through the crossing on which a branch is, straight on or back.
-  /// `passed` is the part of that way, from where the branch is kept, that it has gone already.
+  /// Whether a path to `to` continues straight through the crossing on which a branch is, or
+  /// straight back. `passed` is the fraction of the path, measured from the stored point, that is
+  /// already covered.
   [[nodiscard]] static bool goes_straight_on(Branch& branch, Given to, Scalar& passed) {
     const auto starts = branch.given.positions();
     const auto middles = branch.followed_to.positions();
@@ -283,12 +286,12 @@ class Tracker {
     }
     return is_straight;
   }
-  /// Counts a part of the way from where the branch was kept, of which `passed` had been gone;
-  /// fills the state at the end.
+  /// Updates the fraction reached, measured from the stored point, of which `passed` had been
+  /// covered before; fills the state at the end.
   static void arrive(const Branch& branch, Scalar part, Scalar passed, Placed& placed, State& state,
                      Track& way) {
     if (part < 1) {
-      // Back from a crossing, no place is certain before the end.
+      // Back from a crossing, no point is certain before the end.
       way.reached = passed < 1 ? (std::max)(Scalar(0), (part - passed) / (1 - passed)) : Scalar(0);
       return;
     }
@@ -300,8 +303,8 @@ class Tracker {
     }
   }
 
-  /// Newton's steps from the linear prediction of the start. The regularity at their end, or
-  /// no_convergence where that may lie on another branch.
+  /// Newton's steps from the linear prediction of the start. Returns the regularity of the result,
+  /// or no_convergence if it may lie on another branch.
   template <typename Group>
   [[nodiscard]] static Status advance(const GroupPoint<Group, Scalar>& start,
                                       GroupPoint<Group, Scalar>& end, StepSize& size) {
@@ -320,8 +323,8 @@ class Tracker {
     }
     const auto pivots = detail::pivots_at<Model, Scalar>(d, end.u, end.q);
     end.pivots = pivots.values;
-    // What holds the group moves in arcs, of which the prediction knows the chord alone: the arc
-    // begins up to half a turn off it.
+    // The group's inputs move on arcs, which the prediction replaces by chords: an arc starts at an
+    // angle of up to half the turn to its chord.
     const Scalar turn = detail::turn_of<Model, Scalar>(predicted, inverse_size);
     const Scalar held =
         size.turn * (std::max)(detail::largest_difference<Scalar>(start.u, end.u), size.turn);

@@ -1,4 +1,4 @@
-// Turns the regularity of a configuration and its motion into the digits of its second rates.
+// Error of second rates, from the regularity of a configuration and its motion.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +10,9 @@
 namespace assur::support {
 
 /// The factor by which the relative error of second rates exceeds that of rates. In J q'' = -H(q',
-/// q') - ... an error of q' is multiplied by `loose`, the size of J^-1. Near a fold q'' is as large
-/// as that makes it; at a crossing it is not. `rate` and `second_rate` are the largest of q' and
-/// q'', with turns as lengths: times the `size` of the group.
+/// q') - ... an error of q' is multiplied by `loose`, the size of J^-1. Near a fold q'' grows by
+/// the same factor; at a crossing it does not. `rate` and `second_rate` are the largest entries of
+/// q' and q'', angles multiplied by the `size` of the group.
 template <typename Scalar>
 [[nodiscard]] Scalar second_rate_loss(Scalar loose, Scalar rate, Scalar second_rate, Scalar size) {
   const Scalar speed = rate * rate / size;
@@ -20,7 +20,7 @@ template <typename Scalar>
   return largest > 0 ? (std::max)(Scalar(1), loose * speed / largest) : Scalar(1);
 }
 
-/// The relative error of second rates, as far as the pivots tell.
+/// The relative error of second rates, estimated from the pivots.
 template <typename Model, typename Scalar>
 [[nodiscard]] Scalar second_rate_error(const Regularity<Scalar>& standing,
                                        const Vector<Scalar, Model::unknown_count>& rate,

@@ -1,6 +1,6 @@
-// Turns what the searches of all models share into declarations, or in one file into its code.
-// A program that instantiates many models includes this in each of its files, and in one of them
-// after `#define ASSUR_SHARED_SEARCH template`.
+// Explicit instantiations of the code that the searches of all models share: declarations, or in
+// one file of a program definitions. A program that instantiates many models includes this in each
+// of its files, and in one of them after `#define ASSUR_SHARED_SEARCH template`.
 #pragma once
 
 #include <assur/assembly.hpp>

@@ -1,4 +1,4 @@
-// Turns closures of no known structure into what kinematics.hpp asks of a model, by LU of J.
+// Regularity, inverse Jacobian and rates by LU of J, for closures of unknown structure.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,7 +11,7 @@
 namespace assur::support {
 
 /// The reciprocal condition number of a square matrix in the maximum norm, with the sign of the
-/// determinant. Zero, or no number, where the matrix has no inverse.
+/// determinant. Zero or NaN if the matrix has no inverse.
 template <typename Square>
 [[nodiscard]] typename Square::Scalar signed_reciprocal_condition(const Square& J) {
   using Scalar = typename Square::Scalar;
@@ -23,9 +23,9 @@ template <typename Square>
   return sign / (norm(J) * norm(lu.inverse().eval()));
 }
 
-/// How firmly closures with the Jacobian J hold the unknowns, all in one unit. Rounding moves the
-/// configuration by itself over the reciprocal condition, which changes J by as much: derivatives
-/// lose that factor twice. `unsure` is the part by which J may be off beside that.
+/// The regularity of closures with the Jacobian J, all unknowns in one unit. Rounding moves the
+/// configuration by eps over the reciprocal condition, which changes J by as much: derivatives lose
+/// that factor twice. `unsure` is a further relative error of J.
 template <typename Square>
 [[nodiscard]] Regularity<typename Square::Scalar> regularity_by_lu(const Square& J,
                                                                    typename Square::Scalar unsure) {
@@ -37,15 +37,15 @@ template <typename Square>
 }
 
 /// The base of a struct with residual, jacobian and right-hand sides, `Model`, that adds the
-/// regularity, the inverse Jacobian, sensitivities and rates. A model of a group has these from its
-/// own elimination. Eigen's LU of fixed size neither allocates nor throws.
+/// regularity, the inverse Jacobian, sensitivities and rates. A model of a group computes these by
+/// its own elimination. Eigen's LU of fixed size neither allocates nor throws.
 template <typename Model>
 struct SolvedByLu {
   static constexpr int pivot_count = 1;
   static constexpr int core_pivot_count = 1;
   static constexpr std::array<const char*, pivot_count> pivots = {{"a dead centre: det J = 0"}};
 
-  /// The one pivot is the reciprocal condition of J with columns and rows scaled to largest entries
+  /// The one pivot is the reciprocal condition of J with columns and rows scaled to a largest entry
   /// of one, since closures may have any units.
   template <typename Dimensions, typename Inputs, typename Configuration, typename Scalar>
   static void degeneracies(const Dimensions& d, const Inputs& u, const Configuration& q,

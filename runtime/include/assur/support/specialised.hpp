@@ -1,4 +1,4 @@
-// Turns a group that an emitted solver holds, whose dimensions are numbers, into a model.
+// The interface of a model for a group whose dimensions are numbers in an emitted solver.
 #pragma once
 
 #include <array>
@@ -32,7 +32,7 @@ template <typename Group>
 inline constexpr bool
     has_jacobian<Group, std::void_t<decltype(&Group::template jacobian<double>)>> = true;
 
-/// J = df/dq, a column at a time, by the residual of numbers with a slope.
+/// J = df/dq, column by column, from the residual evaluated in dual numbers.
 template <typename Group, typename Scalar>
 void differentiate_residual(const typename Group::template Inputs<Scalar>& u,
                             const typename Group::template Configuration<Scalar>& q,
@@ -60,14 +60,14 @@ void differentiate_residual(const typename Group::template Inputs<Scalar>& u,
   }
 }
 
-/// What the unknowns are, by the members of a configuration.
+/// The unknowns, from the members of a configuration.
 template <typename... Members>
 [[nodiscard]] constexpr std::array<ModelUnknown, sizeof...(Members)> unknowns_of(
     std::tuple<const Members&...>* /*members*/) {
   return {{{"", std::is_same_v<Members, Direction<double>>, -1}...}};
 }
 
-/// The second unknown of a group's reduced equations; -1 where there is none.
+/// The second unknown of a group's reduced equations; -1 if there is none.
 template <typename Group, typename = void>
 inline constexpr int second_unknown = -1;
 template <typename Group>
@@ -76,9 +76,9 @@ inline constexpr int second_unknown<Group, std::void_t<decltype(Group::second_un
 
 }  // namespace specialised
 
-/// A specialised group with the interface of a model. It has no dimensions, so its functions do not
-/// read the argument for them. A matrix for which the group has no function is computed from the
-/// functions that it has.
+/// A specialised group with the interface of a model. It has no dimensions, so its functions ignore
+/// that argument. A matrix for which the group has no function is computed from its other
+/// functions.
 template <typename Group>
 struct Specialised : Group {
   static constexpr bool rigid = true;

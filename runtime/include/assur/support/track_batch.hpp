@@ -1,4 +1,4 @@
-// Turns columns of drivers of an emitted solver into the states of one branch, one after the other.
+// States of one branch of an emitted solver, followed through columns of drivers.
 #pragma once
 
 #include <assur/support/scene_batch.hpp>
@@ -7,21 +7,21 @@
 
 namespace assur::support {
 
-/// The caller's arrays to which the states of a branch go, one for each instance.
+/// The caller's arrays for the states of a branch, one for each instance.
 template <typename Solver>
 struct TrackedStates {
-  /// What `track` returns for the instance: ok or near_singular for a state on the branch within
-  /// the limits of joints, else a gap. A state beyond limits has no_convergence, though the branch
-  /// goes through it.
+  /// The status of `track` for the instance: ok or near_singular for a state on the branch within
+  /// the joint limits, otherwise a gap. A state beyond the limits has no_convergence, although the
+  /// branch passes through it.
   Status* status = nullptr;
-  /// Number p, by `column_numbers`, of instance i is at [p * stride + i]; NaN in a gap.
+  /// Number p (see `column_numbers`) of instance i is at [p * stride + i]; NaN in a gap.
   double* states = nullptr;
   std::size_t stride = 0;
 };
 
-/// Follows a branch from where it is to `count` sets of drivers, and of parameters where the solver
-/// has any, one after the other. A set that the branch does not reach is a gap, and the next one is
-/// reached from where the branch is. Returns the number of sets on the branch.
+/// Follows a branch from its present point to `count` sets of drivers, and of parameters if the
+/// solver has any, one after the other. A set that the branch does not reach is a gap; the next one
+/// is followed from the last point reached. Returns the number of sets on the branch.
 template <typename Solver>
 std::size_t track_batch(std::size_t count, const GivenColumns& drivers,
                         const GivenColumns& parameters, Branch<Solver, double>& branch,

@@ -1,5 +1,4 @@
-// Turns an emitted solver into a comparison of its batches with single calls for the same driver
-// positions.
+// Comparison of an emitted solver's batches with single calls at the same driver positions.
 #pragma once
 
 #include <algorithm>
@@ -112,8 +111,8 @@ Differences compare(std::size_t instances, std::size_t& alone) {
   return differ;
 }
 
-/// How many rows of a branch that a batch follows differ from those that `track` gives place by
-/// place. The places wander, some of them beyond where the branch leads or no numbers.
+/// The number of rows of a followed batch that differ from single calls of `track`. The positions
+/// wander; some are beyond the end of the branch or NaN.
 template <typename Solver>
 long tracks_that_differ(std::size_t places) {
   using Drivers = typename Solver::template Drivers<double>;

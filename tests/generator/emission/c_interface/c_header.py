@@ -1,4 +1,4 @@
-"""Turns a C header of an emitted solver into its structures, as other languages declare them."""
+"""Reads the structures in the C header of an emitted solver, for declaration in other languages."""
 
 import re
 from dataclasses import dataclass

@@ -1,5 +1,5 @@
-"""Turns scenes into solvers behind a C interface, and compares what C, Python's ctypes and Fortran
-get of them with what `assur solve` says: every number of every configuration.
+"""Compares the results of solvers' C interfaces in C, Python's ctypes and Fortran with `assur
+solve`: every number of every configuration.
 
 compare.py ASSUR COMPILER WORK EXAMPLES FLAGS"""
 

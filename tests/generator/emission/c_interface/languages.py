@@ -1,5 +1,5 @@
-"""Turns a C header of an emitted solver into programs in C and Fortran, and calls from ctypes, that
-print how many configurations there are and every number of each, for each step of the drivers."""
+"""Programs in C and Fortran, and calls from ctypes, that print the configurations of an emitted
+solver, with every number of each, for each step of the drivers."""
 
 import ctypes
 import subprocess

@@ -1,5 +1,5 @@
-// Turns a branch that is followed by the C functions of a solver, and by the C++ ones, into the
-// verdict that every number of both is the same after every step.
+// Follows a branch by a solver's C functions and by its C++ ones; after every step all numbers must
+// be the same.
 #include ASSUR_C_HEADER
 #include ASSUR_CPP_HEADER
 

@@ -1,5 +1,5 @@
-// Follows a branch of a four-bar whose two configurations are a parallelogram and a crossed one, over
-// its change points, place by place and as a batch. On the parallelogram C moves as B does.
+// Follows the parallelogram branch of a four-bar over its change points, point by point and as a
+// batch. On it C moves as B does; the other configuration is crossed.
 #include <assur/scenes/four_bar.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
-// Turns an emitted solver, ASSUR_SOLVER, into how far its answers in float are from those in
-// double, over a turn of its first driver and close to where the scene has it.
+// Largest deviations of an emitted solver, ASSUR_SOLVER, in float from the same in double, over a
+// turn of its first driver and close to its position in the scene.
 #include ASSUR_HEADER
 #include <algorithm>
 #include <array>
@@ -16,7 +16,8 @@ using Solver = assur::scenes::ASSUR_SOLVER;
 template <typename Scalar>
 using States = std::array<Solver::State<Scalar>, Solver::max_configurations>;
 
-/// How many numbers a state has before its status. Eigen is told not to align, so none is padding.
+/// The number of numbers in a state before its status. Eigen is told not to align, so none is
+/// padding.
 constexpr std::size_t numbers = sizeof(Solver::State<float>) / sizeof(float) - 1;
 static_assert(numbers == sizeof(Solver::State<double>) / sizeof(double) - 1);
 
@@ -79,9 +80,9 @@ std::vector<double> angles_of(Solver::State<double> state) {
   return angles;
 }
 
-/// By what configurations are put in order, from the angles of the links that groups place: the
-/// sums of the cosines, of their squares and cubes, and of the sines of the angles between each two
-/// of them, and each cosine and sine by itself.
+/// The sort keys of configurations, from the angles of the links that groups place: the sums of the
+/// cosines, of their squares and cubes, and of the sines of the angles between each two of them,
+/// and each cosine and sine.
 std::vector<double> keys_of(const std::vector<double>& angles) {
   std::vector<double> keys(4, 0);
   for (std::size_t one = 0; one < angles.size(); ++one) {

@@ -1,5 +1,5 @@
-# Turns compilers and levels of optimisation into a verdict on the runtime's headers and emitted
-# solvers, which must cause no warning.
+# Compiles the runtime's headers and emitted solvers with several compilers and levels of
+# optimisation; no warning may occur.
 #   cmake -DCOMPILERS="g++;clang++" -DFLAGS="-I..." -DASSUR=... -DWORK=...
 #     [-DWHOLE="scene.json;..." -DHEADERS=headers_compile.cpp -DSOLVER=solver.cpp] -P inclusion.cmake
 # By default one solver, which has one configuration, is compiled and run.

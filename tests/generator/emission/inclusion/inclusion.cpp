@@ -1,5 +1,5 @@
-// Turns an emitted solver, included after macros of common names and inside a namespace, into an
-// exit status: 0 if its answers are right.
+// Includes an emitted solver after macros of common names and inside a namespace; exits with 0 if
+// its answers are right.
 #include <complex.h>
 
 #include <assur/support/scene_track.hpp>

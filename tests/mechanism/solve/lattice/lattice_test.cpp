@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t default_scenes = 575;
 
-/// What the table must say of a dyad, derived by hand.
+/// The table's row of a dyad, derived by hand.
 struct ByHand {
   bool family;
   int isolated, singular;

@@ -1,6 +1,6 @@
-// Turns groups in special position on a lattice into a program for Singular that counts their real
-// configurations exactly. For COUNT scenes of every kind (174 in the table that is kept):
-// `lattice_truth COUNT | Singular -q | grep -v // > tests/data/lattice_truth.txt`.
+// Writes a program for Singular that counts the real configurations of groups in special position
+// on a lattice exactly. For COUNT scenes of every kind (174 in the stored table): `lattice_truth
+// COUNT | Singular -q | grep -v // > tests/data/lattice_truth.txt`.
 #include <array>
 #include <cstdlib>
 #include <fstream>

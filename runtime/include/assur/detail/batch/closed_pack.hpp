@@ -1,5 +1,5 @@
-// Turns several groups whose final polynomial has one or two roots into their configurations by
-// formula, and tells which of them need a closer look.
+// Configurations in closed form of several groups at once whose final polynomials have one or two
+// roots; doubtful groups are reported.
 #pragma once
 
 #include <array>
@@ -52,13 +52,13 @@ void put_roots(const Vector<Pack, 3>& T, const Discriminants<Pack>& found,
 /// Groups whose inputs are known to their own rounding.
 template <typename Model, typename Pack>
 struct KnownInputs {
-  /// The largest error of a discriminant, as `Certainty::error` tells it.
+  /// The largest error of a discriminant, as in `Certainty::error`.
   template <typename Certainty>
   [[nodiscard]] Pack error(const Certainty& certainty, const Pack& square) const {
     return certainty.power(square);
   }
-  /// The amount by which the Jacobian is off. It is zero for a group near the origin, where it is
-  /// no larger than the rounding of the group's lengths, which every verdict counts.
+  /// The error of the Jacobian. It is zero for a group near the origin, where it does not exceed
+  /// the rounding of the group's lengths, which every verdict includes.
   [[nodiscard]] Pack unsure(const typename Model::template Dimensions<Pack>& d,
                             const typename Model::template Inputs<Pack>& u, const Pack& square,
                             const Pack& of_dimensions) const {
@@ -66,8 +66,8 @@ struct KnownInputs {
   }
 };
 
-/// The search by formula of several groups at once, as `ClosedSearch` does it for one. `Rounding`
-/// tells how well the inputs are known.
+/// The search by formula for several groups at once, as `ClosedSearch` for one. `Rounding` gives
+/// the errors of the inputs.
 template <typename Model, typename Pack, typename Rounding = KnownInputs<Model, Pack>>
 struct ClosedPack {
   using Scalar = typename numeric::PartOf<Pack>::Type;
@@ -77,11 +77,12 @@ struct ClosedPack {
   using Configuration = typename Model::template Configuration<Pack>;
   static constexpr auto root_count = size(Model::max_configurations);
 
-  /// The lanes in which the formula vouches for the list; the other groups are searched one by one.
+  /// The lanes in which the formula certifies the list; the other groups are searched one by one.
   Truth settled;
   /// The settled lanes whose list is full; the lists of the other settled lanes are empty.
   Truth assembled;
-  /// The configurations in order; they are set where both hold, and all of them are ok.
+  /// The sorted configurations; set in the lanes that are settled and assembled, and all of them
+  /// are ok.
   std::array<Configuration, root_count> configurations;
 
   ClosedPack(const Dimensions& d, const Inputs& u, const Rounding& rounding = {}) {
@@ -97,7 +98,7 @@ struct ClosedPack {
     assembled = known & (found.discriminant * Pack(Form::firmness) > error);
     const Truth none = known & (found.discriminant * Pack(Form::discriminant.firmness) < -error);
     settled = none | assembled;
-    // There is no early return where no lane is assembled: configurations would then pass through
+    // There is no early return if no lane is assembled: configurations would then pass through
     // memory.
     if constexpr (Form::has_leading_coefficient) {
       constexpr auto leading = certainty<Scalar>(Model::leading_error, Model::leading_degree);
@@ -136,7 +137,7 @@ struct ClosedPack {
     }
   }
 
-  /// Whether the first of two configurations comes before the second, as `comes_before` tells it.
+  /// Whether the first of two configurations comes before the second, as in `comes_before`.
   [[nodiscard]] Truth comes_first(const Dimensions& d, const Inputs& u, const Pack& square) const {
     const auto by_all = [&] {
       return come_before_by_keys<Model, Pack>(d, u, configurations[0], configurations[1],

@@ -1,5 +1,5 @@
-// Turns a block of groups whose final polynomial has more than two roots into all their
-// configurations, or tells which groups need a closer look.
+// All configurations of a block of groups whose final polynomial has more than two roots; doubtful
+// groups are reported.
 #pragma once
 
 #include <array>
@@ -24,9 +24,9 @@
 
 namespace assur::detail::batch {
 
-/// The search in general position of up to `capacity` groups, as `GeneralSearch` does it for one:
-/// it vouches for a list where every root of the final polynomial is certainly simple and completes
-/// to a regular configuration that closes.
+/// The search in general position for up to `capacity` groups, as `GeneralSearch` for one: a list
+/// is certain if every root of the final polynomial is certainly simple and completes to a regular
+/// configuration that closes.
 template <typename Model, std::size_t Lanes>
 class GeneralBlock {
   static constexpr std::size_t N = Model::polynomial_degree;
@@ -56,8 +56,8 @@ class GeneralBlock {
     search(count);
   }
 
-  /// The same pack by pack: `begin`, then `add` for the places 0, `Lanes`, ..., then `search` for
-  /// as many places as were added. `displaced` tells how far rounding has displaced the inputs.
+  /// The same pack by pack: `begin`, then `add` for the indices 0, `Lanes`, ..., then `search` for
+  /// all groups added. `displaced` bounds the displacement of the inputs by rounding.
   void begin() {
     arcs_.clear();
     groups_.clear();
@@ -88,7 +88,7 @@ class GeneralBlock {
   [[nodiscard]] bool is_settled(std::size_t group) const { return settled_[group]; }
   [[nodiscard]] std::size_t count(std::size_t group) const { return counts_[group]; }
 
-  /// Puts the configurations of a settled group in order. False if that needs a closer look.
+  /// Sorts the configurations of a settled group. False if their order is not certain.
   [[nodiscard]] bool put_in_order(std::size_t group) {
     if constexpr (comes_in_any_order<Model>) {
       return are_apart(group);
@@ -128,7 +128,7 @@ class GeneralBlock {
     });
     return q;
   }
-  /// Puts one configuration of a group, in the unit of its inputs, into the columns of a batch.
+  /// Writes one configuration of a group, in the unit of its inputs, to the columns of a batch.
   void put(std::size_t group, std::size_t index, const Columns<Configuration<double>>& to,
            std::size_t at) const {
     constexpr auto lengths = SortsOf<Configuration<double>>::lengths;
@@ -189,8 +189,8 @@ class GeneralBlock {
       settled_[group + lane] = settled_[group + lane] && (certain >> lane & 1) != 0;
     }
   }
-  /// Finds the roots in the brackets of several packs together: each step waits for the one before,
-  /// and the processor can overlap the steps of different packs.
+  /// Finds the roots in the brackets of several packs together: each step depends on the previous
+  /// one, but the processor can overlap the steps of different packs.
   template <std::size_t... Number>
   void find_roots(std::size_t first, std::index_sequence<Number...>) {
     std::array<PackBracket<Pack, 2 * N + 1>, sizeof...(Number)> brackets = {

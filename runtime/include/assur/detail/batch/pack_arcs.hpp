@@ -1,8 +1,9 @@
-// Turns trigonometric polynomials into arcs of the circle that hold one root each, several at once.
+// Isolation of the roots of several trigonometric polynomials at once: arcs of the circle that hold
+// one root each.
 //
 // The method and its bounds are those of `numeric::TrigonometricRootSearch` for one polynomial:
 // four charts in Bernstein form, Descartes' rule, and arcs that are cut in the middle. The arcs of
-// all polynomials of a block are cut together, level by level, so that packs are full however
+// all polynomials of a block are cut together, level by level, so that packs stay full however
 // different the polynomials are. A polynomial with an uncertain sign is left to the search for one
 // polynomial.
 #pragma once
@@ -16,8 +17,8 @@
 
 namespace assur::detail::batch {
 
-/// Computes the Bernstein coefficients on one of four charts from `numeric::ChartTables`. Read from
-/// the other end, the part of the cosines is the same and the part of the sines has the other sign.
+/// Computes the Bernstein coefficients on one of four charts from `numeric::ChartTables`. In
+/// reverse order, the cosine terms are the same and the sine terms have the opposite sign.
 template <std::size_t Chart, std::size_t N, typename Pack>
 [[gnu::always_inline]] inline void put_bernstein(const numeric::Harmonics<Pack, N>& harmonics,
                                                  std::array<Pack, 2 * N + 1>& bernstein) {
@@ -39,11 +40,12 @@ template <std::size_t Chart, std::size_t N, typename Pack>
   }
 }
 
-/// Which of several arcs have one sign variation of their coefficients, and which more: a bit each.
+/// Sets of arcs, a bit each: those with one sign variation of their coefficients, and those with
+/// more.
 struct Variations {
   unsigned one = 0;
   unsigned more = 0;
-  unsigned certain = 0;  ///< where every sign is certain
+  unsigned certain = 0;  ///< arcs in which every sign is certain
 };
 template <typename Pack, std::size_t Size>
 [[nodiscard]] Variations variations_of(const std::array<Pack, Size>& bernstein, const Pack& error) {
@@ -68,11 +70,10 @@ struct PackArcs {
   std::array<Pack, Size> bernstein;
   Pack left, right;  ///< in t
   Pack error;        ///< of every coefficient
-  Pack owner;        ///< the number of its polynomial, times four, plus that of its chart
+  Pack owner;        ///< index of the polynomial, times four, plus that of the chart
 };
 
-/// A list of such arcs by columns. Once `end` has been called, packs can be read beyond the last
-/// arc.
+/// A list of such arcs, stored by columns. After `end`, packs can be read beyond the last arc.
 template <std::size_t Size, std::size_t Capacity>
 struct ArcList {
   /// The largest number of packs that are read at once.
@@ -95,8 +96,7 @@ struct ArcList {
     result.owner = Pack::load(&owner[first]);
     return result;
   }
-  /// Adds those of several arcs whose bits are set. A branch could not be predicted, so there is
-  /// none.
+  /// Adds the arcs whose bits are set, without a branch, which could not be predicted.
   template <typename Pack>
   [[gnu::always_inline]] void add(const PackArcs<Pack, Size>& arcs, unsigned which) {
     for (std::size_t i = 0; i < Size; ++i) {
@@ -108,7 +108,7 @@ struct ArcList {
     arcs.owner.store_some(which, &owner[count]);
     count += static_cast<std::size_t>(__builtin_popcount(which));
   }
-  /// Sets what packs may read beyond the last arc to zero.
+  /// Sets the entries that packs may read beyond the last arc to zero.
   template <typename Pack>
   void end() {
     for (std::size_t place = count; place < count + most_packs * Pack::lanes;
@@ -242,7 +242,7 @@ class ArcSearch {
   }
 
   List brackets_;
-  std::array<List, 2> open_;  // those of one level and of the next
+  std::array<List, 2> open_;  // arcs of one level and of the next
 };
 
 }  // namespace assur::detail::batch

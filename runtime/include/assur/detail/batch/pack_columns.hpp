@@ -1,4 +1,4 @@
-// Turns columns of numbers into packs, and packs into columns.
+// Loads of packs from columns of numbers, and stores to columns.
 #pragma once
 
 #include <assur/columns.hpp>
@@ -10,8 +10,8 @@
 
 namespace assur::detail::batch {
 
-/// Calls `use` with 0, 1, ..., without a loop: compilers keep packs in registers where no place is
-/// a variable.
+/// Calls `use` with 0, 1, ..., without a loop: compilers keep packs in registers if no index is a
+/// variable.
 template <typename Use, std::size_t... Place>
 [[gnu::always_inline]] inline void for_each_place(const Use& use, std::index_sequence<Place...>) {
   (use(Place), ...);
@@ -21,7 +21,7 @@ template <int Count, typename Use>
   for_each_place(use, std::make_index_sequence<size(Count)>());
 }
 
-/// Calls `use` with every number of variables and its place; a direction is two numbers, its cosine
+/// Calls `use` with every number of variables and its index; a direction is two numbers, its cosine
 /// and its sine.
 template <typename Variables, typename Use>
 [[gnu::always_inline]] inline void for_each_number(Variables& variables, Use use) {

@@ -1,4 +1,4 @@
-// Turns two configurations of each of several groups into which of them comes first.
+// Order of two configurations in each of several groups.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ void put_keys(const typename Model::template Dimensions<Pack>& d,
   });
 }
 
-/// Whether the first of two configurations comes before the second by all keys, as
-/// `numeric::comes_before` tells it; `one` is the unit of lengths.
+/// Whether the first of two configurations comes before the second by all keys, as in
+/// `numeric::comes_before`; `one` is the unit of lengths.
 template <typename Model, typename Pack>
 [[nodiscard, gnu::noinline]] auto come_before_by_keys(
     const typename Model::template Dimensions<Pack>& d,

@@ -1,4 +1,4 @@
-// Turns arcs that hold one root each into these roots, several at once.
+// Roots of several polynomials at once in isolating arcs.
 #pragma once
 
 #include <array>
@@ -10,7 +10,8 @@
 
 namespace assur::detail::batch {
 
-/// Where the control polygons of arcs from -1 to 1 cross zero once: a first guess of the root.
+/// The points where the control polygons of arcs from -1 to 1 cross zero once: first guesses of the
+/// roots.
 template <typename Pack, std::size_t Size>
 [[nodiscard]] Pack crossing_of(const std::array<Pack, Size>& bernstein) {
   const auto is_negative = bernstein[0] < Pack(0);
@@ -71,14 +72,15 @@ void put_powers(const std::array<Pack, Size>& bernstein, std::array<Pack, Size>&
 }
 
 /// The brackets of several polynomials with one root each between -1 and 1, as `numeric::Bracket`
-/// is the bracket of one.
+/// for one.
 template <typename Pack, std::size_t Size>
 class PackBracket {
   using Truth = decltype(Pack() < Pack());
   using Scalar = typename numeric::PartOf<Pack>::Type;
 
  public:
-  /// Below `noise`, the value of a polynomial is rounding. Roots are sought in the `wanted` lanes.
+  /// Below `noise`, the value of a polynomial is due to rounding. Roots are sought in the `wanted`
+  /// lanes.
   PackBracket(const std::array<Pack, Size>& bernstein, const Pack& noise, const Truth& wanted)
       : root_(crossing_of(bernstein)),
         noise_(noise),
@@ -87,12 +89,12 @@ class PackBracket {
     put_powers(bernstein, power_);
   }
 
-  /// Whether there are roots to look for.
+  /// Whether roots remain to be found.
   [[nodiscard]] bool is_open() const { return open_.any(); }
   [[nodiscard]] const Truth& open() const { return open_; }
   [[nodiscard]] const Pack& roots() const { return root_; }
 
-  /// One step, to be repeated with 0, 1, ..., as `numeric::improve` does it.
+  /// One step, to be repeated with 0, 1, ..., as in `numeric::improve`.
   [[gnu::always_inline]] void improve(int step) {
     constexpr Scalar u = std::numeric_limits<Scalar>::epsilon() / 2;
     // The first two steps of Horner's rule, without products of zero.

@@ -1,4 +1,4 @@
-// Turns several groups and configurations into what is certain of each of them.
+// Verdicts on several groups and configurations at once: finiteness, size and certain regularity.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace assur::detail::batch {
 
-/// Whether all directions are finite: zero times what is not finite is NaN.
+/// Whether all directions are finite: zero times a number that is not finite is NaN.
 template <template <typename> class Variables, typename Pack>
 [[nodiscard]] auto are_finite_directions(const Variables<Pack>& variables) {
   Pack zero(0);
@@ -23,7 +23,7 @@ template <template <typename> class Variables, typename Pack>
   });
   return zero == Pack(0);
 }
-/// Tells the lanes in which all numbers are finite. The four sums do not wait for one another.
+/// The lanes in which all numbers are finite, by four independent sums.
 template <typename Pack>
 class FiniteNumbers {
   std::array<Pack, 4> zeros_ = {Pack(0), Pack(0), Pack(0), Pack(0)};
@@ -34,7 +34,7 @@ class FiniteNumbers {
     return (zeros_[0] + zeros_[1]) + (zeros_[2] + zeros_[3]) == Pack(0);
   }
 };
-/// The longest length of each group, as `longest_length` tells it.
+/// The longest length of each group, as in `longest_length`.
 template <template <typename> class Variables, typename Pack>
 [[nodiscard]] Pack longest_lengths(const Variables<Pack>& variables) {
   Pack longest(0);
@@ -46,7 +46,7 @@ template <template <typename> class Variables, typename Pack>
   return longest;
 }
 
-/// The longest length of each group, whatever its place, as `size_of` tells it.
+/// The longest length of each group, independent of its position, as in `size_of`.
 template <typename Model, typename Pack>
 [[nodiscard]] Pack sizes_of(const typename Model::template Dimensions<Pack>& d,
                             const typename Model::template Inputs<Pack>& u) {
@@ -60,7 +60,7 @@ template <typename Model, typename Pack>
   return longest;
 }
 
-/// The amount by which the loop Jacobian of each group may be off, as `unsure_jacobian` tells it.
+/// Bound on the error of the loop Jacobian of each group, as in `unsure_jacobian`.
 template <typename Model, typename Pack>
 [[nodiscard]] Pack unsure_jacobians(const typename Model::template Dimensions<Pack>& d,
                                     const typename Model::template Inputs<Pack>& u) {
@@ -72,8 +72,8 @@ template <typename Model, typename Pack>
   }
 }
 
-/// Whether a configuration is regular, and would be if it were off by a few roundings. Where this
-/// fails, the functions for one group decide.
+/// Whether a configuration is regular, even with an error of a few roundings. If not, the functions
+/// for one group decide.
 template <typename Model, typename Pack>
 [[nodiscard]] auto are_surely_regular(const typename Model::template Dimensions<Pack>& d,
                                       const typename Model::template Inputs<Pack>& u,

@@ -1,5 +1,5 @@
-// Turns several specialised groups with held external joints into the motion of their links, and
-// tells for which of them all digits are certain.
+// Motion of the links of several specialised groups with held external joints, and the lanes in
+// which all digits are certain.
 #pragma once
 
 #include <assur/detail/batch/pack_verdicts.hpp>
@@ -19,14 +19,14 @@ struct DisplacedInputs {
   using Scalar = typename numeric::PartOf<Pack>::Type;
   support::DisplacementOf<Pack> displaced;
 
-  /// The error that `Certainty::error` tells for one group.
+  /// The error of a discriminant, as in `Certainty::error` for one group.
   template <typename Certainty>
   [[nodiscard]] Pack error(const Certainty& certainty, const Pack& square) const {
     constexpr auto given = static_cast<Scalar>(numeric::Magnitude::given_rounding());
     const Pack part = displaced.moved / sqrt(square) + displaced.turned;
     return certainty.power(square) * (Pack(1) + part * Pack(1 / given));
   }
-  /// The amount that `unsure_jacobian` tells for one group.
+  /// The error of the Jacobian, as in `unsure_jacobian` for one group.
   [[nodiscard]] Pack unsure(const typename Model::template Dimensions<Pack>& /*d*/,
                             const typename Model::template Inputs<Pack>& u, const Pack& /*square*/,
                             const Pack& /*of_dimensions*/) const {
@@ -42,7 +42,7 @@ struct DisplacedInputs {
     }
   }
 
-  /// How far the groups' own links may be off, as `DisplacedGroup::displaced` tells it for one
+  /// Bounds on the displacement of the groups' own links, as in `DisplacedGroup::displaced` for one
   /// group; lengths are near one.
   template <typename Configuration, typename Inverse>
   [[nodiscard]] support::DisplacementOf<Pack> of_links(
@@ -77,7 +77,7 @@ struct PlacedPack {
   using Model = support::Specialised<Group>;
   using Truth = decltype(Pack() < Pack());
   support::PlacedGroup<Group, Pack, Order, Parameters> group;
-  /// The lanes that keep every digit in spite of what rounding has displaced.
+  /// The lanes that keep every digit despite the displacement by rounding.
   Truth certain;
 
   PlacedPack(const support::HeldJoints<Group, Pack, Order, Parameters>& held,
@@ -117,8 +117,8 @@ struct PlacedPack {
   using Scalar = typename numeric::PartOf<Pack>::Type;
   static constexpr Scalar closer = 1 + Scalar(1) / 256;
 
-  /// Whether rounding has displaced the groups by next to nothing, by the criterion of
-  /// `place_group`, or they are regular in spite of their displacement.
+  /// Whether the displacement of the groups by rounding is negligible, by the criterion of
+  /// `place_group`, or they are regular despite their displacement.
   [[nodiscard]] Truth is_regular_among_displaced(
       const support::HeldJoints<Group, Pack, Order, Parameters>& held,
       const DisplacedInputs<Model, Pack>& rounding) const {

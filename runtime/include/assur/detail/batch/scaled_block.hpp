@@ -1,5 +1,5 @@
-// Turns several groups in any unit into groups whose lengths are near one, with a bound on the
-// rounding of their final polynomials.
+// Groups scaled to lengths near one, several at once, with a bound on the rounding of their final
+// polynomials.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ class ScaledBlock {
 
   /// Scales several groups, whose inputs rounding has displaced, so that their longest lengths are
   /// near one, and moves the first external joint of each to the origin, which changes no unknown.
-  /// Returns a bit for each, set where it can be solved together with others.
+  /// Returns a bit for each, set if it can be solved together with others.
   [[nodiscard]] unsigned add(const Dimensions<Pack>& dimensions, const Inputs<Pack>& inputs,
                              const support::DisplacementOf<Pack>& displaced, std::size_t group) {
     const Pack own = [&] {
@@ -44,7 +44,7 @@ class ScaledBlock {
       }
     }();
     const Pack places = longest_lengths(inputs);
-    // Beyond these the search for one group decides by which of its lengths it is measured.
+    // Beyond these limits the search for one group chooses the reference length.
     constexpr double longest_of_all = 0x1p400;
     constexpr double farthest = 0x1p20;
     const Truth in_range = (own < Pack(longest_of_all)) & (Pack(1 / longest_of_all) < own) &
@@ -86,8 +86,8 @@ class ScaledBlock {
     return in_range.bits();
   }
 
-  /// How far rounding, that of the variables included, may have moved a coefficient of the final
-  /// polynomial of any group of the block.
+  /// Bound on the rounding error of a coefficient of the final polynomial of any group of the
+  /// block, including rounding of the variables.
   [[nodiscard]] double error() const {
     using numeric::Magnitude;
     Dimensions<Magnitude> d;
@@ -112,7 +112,7 @@ class ScaledBlock {
     return most + support::rounding_of_numbers<Model, double>();
   }
 
-  /// The groups that fill a pack from one on, or those at some places.
+  /// The groups that fill a pack from `group` on, or those at given indices.
   [[nodiscard]] Dimensions<Pack> dimensions(std::size_t group) const {
     return loaded<Dimensions<Pack>>(dimensions_, group);
   }
@@ -131,7 +131,7 @@ class ScaledBlock {
   /// The longest lengths and coordinates of their inputs before the move to the origin; at least
   /// one.
   [[nodiscard]] Pack longest(const Places& at) const { return Pack::gather(longest_.data(), at); }
-  /// The amount by which their Jacobians may be off.
+  /// Bound on the error of their Jacobians.
   [[nodiscard]] Pack unsure(const Places& at) const {
     return support::larger(Pack::gather(off_.data(), at),
                            Pack(std::numeric_limits<double>::epsilon()) * longest(at));
@@ -178,7 +178,7 @@ class ScaledBlock {
     }
   }
   /// For each number of the inputs, the axis along which it is a coordinate, or none. A group whose
-  /// functions hold joints of the ground as numbers cannot be moved.
+  /// functions hold joints of the ground as numbers cannot be translated.
   [[nodiscard]] static constexpr auto axes_of_inputs() {
     std::array<char, Columns<Inputs<double>>::count> axes{};
     if constexpr (!has_numbers) {

@@ -1,4 +1,4 @@
-// Turns a number of things into what people say of them: `1 row`, `2 rows`, `2 entries`.
+// Counts with their nouns for messages: `1 row`, `2 rows`, `2 entries`.
 #pragma once
 
 #include <cstdint>
@@ -6,8 +6,8 @@
 
 namespace assur::text {
 
-/// `1 entry`, `2 entries`, `0 rows`: for nouns whose plural ends with an s, and of those that end
-/// with a y only such as have a consonant before it.
+/// `1 entry`, `2 entries`, `0 rows`: for nouns with a plural in -s; a final y must follow a
+/// consonant.
 [[nodiscard]] inline std::string with_noun(std::uint64_t count, const std::string& noun) {
   const std::string number = std::to_string(count) + " ";
   if (count == 1) {

@@ -1,4 +1,4 @@
-// Turns the text of an arithmetic expression into a tree that any scalar type can evaluate.
+// Parser for arithmetic expressions, and their evaluation in any scalar type.
 #pragma once
 
 #include <cmath>
@@ -11,14 +11,14 @@
 
 namespace assur::text {
 
-/// What is wrong with an expression, and at which column (the first is 1).
+/// A fault in an expression, and its column (the first is 1).
 class ExpressionError : public std::runtime_error {
  public:
   ExpressionError(const std::string& what, std::size_t at) : std::runtime_error(what), column(at) {}
   std::size_t column;
 };
 
-/// What a call does with its arguments; `other` is a function of the caller's.
+/// The function of a call; `other` is one defined by the caller.
 enum class Operation : unsigned char {
   other,
   negate,
@@ -35,8 +35,8 @@ enum class Operation : unsigned char {
   divide,
   power,
   atan2,
-  // The following have corners. Only a caller that names them in `more` has them, and they are not
-  // among those that `applied` knows.
+  // The following are not smooth. They are available only if the caller names them in `more`, and
+  // `applied` does not evaluate them.
   absolute,
   minimum,
   maximum
@@ -48,34 +48,35 @@ struct Expression {
 
   Kind kind = Kind::number;
   double number = 0;
-  std::string name;  ///< of a parameter, an operator or a function; of a number, its text
+  std::string name;  ///< of a parameter, an operator or a function; the text of a number
   std::vector<Expression> arguments;
-  Operation operation = Operation::other;  ///< of a call
-  std::size_t column = 1;  ///< where it begins; of an operator, where its last operand ends
+  Operation operation = Operation::other;  ///< the function of a call
+  std::size_t column = 1;  ///< its first column; for an operator, the end of its last operand
 };
 
-/// A function that a text may call: its name and how many arguments it takes.
+/// A function that an expression may call: its name and its number of arguments.
 struct ExpressionFunction {
   std::string_view name;
   std::size_t arguments;
   Operation operation = Operation::other;
-  bool may_be_name = false;  ///< a name, too, where no bracket follows
+  bool may_be_name = false;  ///< also a name if no parenthesis follows
 };
 
-/// Parses an expression; throws ExpressionError. Powers bind tighter than signs and to the right.
-/// `more` are functions of the caller's beside those above, which `evaluate` does not know.
+/// Parses an expression; throws ExpressionError. Powers bind tighter than signs, and associate to
+/// the right. `more` are further functions of the caller, which `evaluate` does not support.
 [[nodiscard]] Expression parse_expression(const std::string& text,
                                           std::span<const ExpressionFunction> more = {});
-/// Whether an expression has no names in it.
+/// Whether an expression contains no names.
 [[nodiscard]] bool is_constant(const Expression& expression);
 /// The value of a constant expression.
 [[nodiscard]] double constant_value(const Expression& expression);
 /// The names of functions and constants, which no parameter may take.
 [[nodiscard]] bool is_reserved_name(const std::string& name);
-/// Whether a text could be a parameter's name: letters, digits and underscores, no digit first.
+/// Whether a text can be a parameter's name: letters, digits and underscores, not starting with a
+/// digit.
 [[nodiscard]] bool is_identifier(const std::string& text);
 
-/// The operation on its one argument. `Scalar` needs the operators and functions by
+/// The operation applied to one argument. Operators and functions of `Scalar` are found by
 /// argument-dependent look-up.
 template <typename Scalar>
 [[nodiscard]] Scalar applied(Operation operation, const Scalar& argument) {
@@ -108,7 +109,7 @@ template <typename Scalar>
   }
 }
 
-/// The operation on its two arguments.
+/// The operation applied to two arguments.
 template <typename Scalar>
 [[nodiscard]] Scalar applied(Operation operation, const Scalar& first, const Scalar& second) {
   using std::atan2;
@@ -131,8 +132,8 @@ template <typename Scalar>
   }
 }
 
-/// Evaluates with `value_of(name)` for names. `Scalar` is made from a double. Functions of the
-/// caller's own are not known here.
+/// Evaluates an expression with `value_of(name)` for names. `Scalar` is constructed from a double.
+/// Functions of the caller are not supported.
 template <typename Scalar, typename ValueOf>
 Scalar evaluate(const Expression& expression, const ValueOf& value_of) {
   if (expression.kind == Expression::Kind::number) {
@@ -146,7 +147,7 @@ Scalar evaluate(const Expression& expression, const ValueOf& value_of) {
     return applied<Scalar>(expression.operation, first);
   }
   if (expression.operation == Operation::power && is_constant(expression.arguments[1])) {
-    using std::pow;  // without a derivative by the exponent
+    using std::pow;  // without a derivative with respect to the exponent
     return Scalar(pow(first, constant_value(expression.arguments[1])));
   }
   return applied<Scalar>(expression.operation, first,

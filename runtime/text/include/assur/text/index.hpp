@@ -1,4 +1,4 @@
-// Turns whole numbers into indices of one table each, so that none is used for another table.
+// Indices with a type for each table, and tables that accept only their own type of index.
 #pragma once
 
 #include <compare>
@@ -8,18 +8,18 @@
 
 namespace assur::text {
 
-/// A place in a table of `Tag`s; by default none.
+/// An index into a table of `Tag`s; by default none.
 template <typename Tag>
 class Index {
  public:
   constexpr Index() = default;
   constexpr explicit Index(std::size_t place) : value_(static_cast<int>(place)) {}
 
-  /// Whether it is a place at all.
+  /// Whether it is an index, not none.
   [[nodiscard]] constexpr bool exists() const { return value_ >= 0; }
-  /// The place, from 0; requires exists().
+  /// The index, from 0; requires exists().
   [[nodiscard]] constexpr std::size_t place() const { return static_cast<std::size_t>(value_); }
-  /// The place as the row or column of a matrix.
+  /// The index as the row or column of a matrix.
   [[nodiscard]] constexpr std::ptrdiff_t row() const { return value_; }
 
   // NOLINTNEXTLINE(modernize-use-nullptr): clang-tidy 14 takes the zero of orderings for a pointer
@@ -55,7 +55,7 @@ class KeyRange {
   std::size_t count_;
 };
 
-/// A vector that only its own sort of index opens.
+/// A vector that is accessed only by its own type of index.
 template <typename Key, typename Item>
 class Table {
  public:

@@ -1,4 +1,4 @@
-// Turns a file that the user names into its text.
+// Reads an input file.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace assur::text {
 
-/// The whole text. Throws InputError where there is no file to read, one of more than 8 MiB, or one
-/// with a NUL byte.
+/// The whole text. Throws InputError if the file cannot be read, is larger than 8 MiB, or contains
+/// a NUL byte.
 [[nodiscard]] std::string read_input_file(const std::filesystem::path& file);
 
 }  // namespace assur::text

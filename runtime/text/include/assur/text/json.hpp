@@ -1,4 +1,4 @@
-// Turns named values and lists into the text of a JSON document.
+// Writer for JSON documents.
 #pragma once
 
 #include <concepts>
@@ -9,9 +9,8 @@
 
 namespace assur::text {
 
-/// A value of a document that holds no fractions. Names stand in the order in which they are given.
-/// Documents are written in many places, and a library for reading them too would be compiled in
-/// each.
+/// A value of a JSON document without fractions. Names keep the order of insertion. Smaller to
+/// compile than a library that also reads JSON.
 class Json {
  public:
   using Member = std::pair<std::string, Json>;

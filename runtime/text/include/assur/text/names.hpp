@@ -1,4 +1,4 @@
-// Turns lists into text: names for messages, arguments and formulas with what stands between them.
+// Lists of names as text for messages, arguments and formulas.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace assur::text {
 
-/// What `text` makes of each item, with the separator between them.
+/// The texts `text(item)` of all items, joined by the separator.
 template <typename Items, typename Text>
 [[nodiscard]] std::string joined(const Items& items, const std::string& separator,
                                  const Text& text) {

@@ -1,4 +1,4 @@
-// Turns numbers into text for people.
+// Numbers as text for people.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Turns the steps that a long computation has done into calls of a function of its caller.
+// Callback for the progress of a long computation.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace assur::text {
 
-/// Called with the number of steps that are done, and that of all steps. It may be empty.
+/// Called with the number of steps done and the number of all steps. It may be empty.
 using Progress = std::function<void(std::uint64_t done, std::uint64_t count)>;
 
 }  // namespace assur::text

@@ -1,13 +1,13 @@
-// Turns what a user wrote into how a message quotes it: short, and on one line.
+// Quotation of user input in messages: short and on one line.
 #pragma once
 
 #include <string>
 
 namespace assur::text {
 
-/// The offset of the first character, other than white space, that moves the cursor, begins a line
-/// or changes how, or in which order, a terminal or an editor shows the others: of C0, C1 or
-/// bidirectional text. The text's size if there is none.
+/// The offset of the first control character other than white space: one of C0, C1 or bidirectional
+/// text, which moves the cursor, begins a line or changes the display or order of other characters.
+/// The text's size if there is none.
 [[nodiscard]] std::size_t first_control_character(const std::string& text);
 
 /// The text on one line: control characters and white space other than spaces become question

@@ -1,4 +1,4 @@
-// Turns a name that does not exist into the nearest one that does.
+// Suggestions of existing names similar to a misspelt one.
 #pragma once
 
 #include <string>
@@ -6,12 +6,12 @@
 
 namespace assur::text {
 
-/// ` (did you mean 'crank'?)` for the candidate within an edit distance of two and of half the
-/// longer name, in which the case of letters does not count; or nothing.
+/// ` (did you mean 'crank'?)` for the nearest candidate within an edit distance of two and of half
+/// the longer name, ignoring case; otherwise empty.
 [[nodiscard]] std::string suggestion(const std::string& name,
                                      const std::vector<std::string>& candidates);
 
-/// The same; where none is near and the candidates are few, ` (choose from A, B, C)`.
+/// The same; if none is near and the candidates are few, ` (choose from A, B, C)`.
 [[nodiscard]] std::string suggestion_or_choice(const std::string& name,
                                                const std::vector<std::string>& candidates);
 

@@ -1,12 +1,12 @@
-// Turns text into the content of an element or an attribute of XML.
+// Escaping of text for the content of XML elements and attributes.
 #pragma once
 
 #include <string>
 
 namespace assur::text {
 
-/// XML's own characters as entities; a question mark for each that XML cannot hold; and nothing
-/// from the first byte on that is not UTF-8.
+/// The text with XML's special characters as entities and a question mark for each character that
+/// XML cannot represent, cut before the first byte that is not UTF-8.
 [[nodiscard]] std::string escaped_for_xml(const std::string& text);
 
 }  // namespace assur::text
