@@ -1,4 +1,4 @@
-# Turns a scene file into a library target that holds the scene's solver, generated at build time.
+# A library target that holds the solver of a scene file, generated at build time.
 #
 #   assur_add_solver(<target> SCENE <file.json> [VARIABLE <parameter>...] [WANT <result>...]
 #                    [INTERFACE c|c-float])

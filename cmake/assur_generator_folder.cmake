@@ -1,4 +1,4 @@
-# Turns the sources of a folder of generator/ into its library.
+# The library of a folder of generator/.
 #
 # assur_generator_folder(SOURCES FILE... [LINKS FOLDER...] [PUBLIC TARGET...] [PRIVATE TARGET...])
 # adds the library assur_generator_<folder>. With the tests, a program is added that contains the

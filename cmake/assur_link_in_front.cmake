@@ -1,4 +1,4 @@
-# Turns a program that is hardly optimised into one that runs the optimised code of its libraries.
+# Links a program that is hardly optimised to the optimised code of its libraries.
 #
 # assur_link_in_front(TARGET LIBRARY...) lets the program TARGET take functions of headers from
 # these static libraries of the project, and from those that they link publicly, if these define

@@ -1,4 +1,4 @@
-# Turns the sources of a folder of mechanism/src into its library, for each way to compile it.
+# The library of a folder of mechanism/src, once for each way to compile it.
 #
 # assur_mechanism_folder(SOURCES FILE... [LINKS FOLDER...] [PUBLIC TARGET...] [PRIVATE TARGET...]
 # [OPTIMISE LEVEL]) adds the library <library>_<folder> for each <library> of

@@ -1,4 +1,4 @@
-# Turns packages and programs that a machine need not have into those that work. One that is there but
+# Packages and programs that a machine need not have. One that is there but
 # does not work is left out as one that is absent; a line says so. The switch
 # CMAKE_DISABLE_FIND_PACKAGE_<name> leaves out any of them.
 set(assur_optional_folder ${CMAKE_CURRENT_LIST_DIR})

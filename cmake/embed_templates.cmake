@@ -1,4 +1,4 @@
-# Turns the files of templates/ into one header of names and texts, so that the generator carries
+# Writes the files of templates/ into one header of names and texts, so that the generator carries
 # its templates and needs no files at run time.
 # cmake -DTEMPLATES=a;b -DNAMESPACE=a::b -DOUTPUT=templates.hpp -P embed_templates.cmake
 set(text "// Made from templates/ by cmake/embed_templates.cmake.\n#pragma once\n\n")

@@ -1,4 +1,4 @@
-// Turns the known leaks of other libraries into suppressions for LeakSanitizer. It is linked into
+// Suppressions of the known leaks of other libraries for LeakSanitizer. It is linked into
 // every program of a build with AddressSanitizer, and the function is weak because libraries that
 // are compiled as one file contain it, too.
 

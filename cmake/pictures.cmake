@@ -1,4 +1,4 @@
-# Turns the examples into the pictures of docs and the README that `assur draw` makes.
+# Draws the pictures of docs and the README that `assur draw` makes of the examples.
 # cmake -DASSUR=build/assur -DEXAMPLES=examples -DOUTPUT=docs/guide -DWORK=build/pictures -P pictures.cmake
 file(MAKE_DIRECTORY ${WORK})
 

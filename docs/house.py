@@ -1,5 +1,5 @@
-"""Turns the build's own targets into the house in design.md, a drawing and tables: each folder
-with its floor, what it turns into what, by the first comment of its CMakeLists.txt, and what it
+"""Writes the house into design.md, a drawing and tables of the build's own targets: each folder
+with its floor, its contents, by the first sentence of its CMakeLists.txt, and the folders that it
 links.
 
 house.py TARGETS SOURCE [--write]: TARGETS has a line per target, its name, its folder and the
@@ -48,12 +48,12 @@ def below(links, folders):
 
 
 def sentence(source, folder):
-    """The first paragraph of comment of a folder's CMakeLists.txt, without its 'Turns'."""
+    """The first sentence of a folder's CMakeLists.txt, a comment."""
     text = (source / folder / "CMakeLists.txt").read_text()
     comment = " ".join(re.match(r"((?:# .*\n)+|)", text)[1].replace("# ", "").split("\n")).strip()
-    found = re.match(r"Turns (.+?)\.(?: |$)", comment)
+    found = re.match(r"(.+?)\.(?: |$)", comment)
     if not found:
-        raise SystemExit(f"{folder}/CMakeLists.txt does not begin with '# Turns ... into ...'")
+        raise SystemExit(f"{folder}/CMakeLists.txt does not begin with a sentence in a comment")
     return found[1]
 
 
@@ -86,7 +86,7 @@ def drawing(links):
 
 def tables(links, source):
     for door, prefix in DOORS:
-        yield f"| floor | `{prefix}` | turns | links |"
+        yield f"| floor | `{prefix}` | contents | links |"
         yield "|---|---|---|---|"
         for floor, folder in rooms(links, prefix):
             nearest = sorted(links[folder] - below(links, links[folder]))

@@ -1,4 +1,4 @@
-# Turns a project into one for a Cortex-M7 with a unit for double precision, without an operating
+# Toolchain for a Cortex-M7 with a unit for double precision, without an operating
 # system.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR cortex-m7)

@@ -89,8 +89,7 @@ class DocumentBuilder {
 
   void relabelling() {
     const std::string asked = structure::spell(group_, from_.kind);
-    prose("The kind that was asked for is " + asked +
-          "; its joints play these joints of the model.");
+    prose("The requested kind is " + asked + "; its joints play these joints of the model.");
     Table table{{{"joint of " + asked, false}, {"plays joint", false}}, {}};
     for (const structure::JointIndex joint : from_.roles.keys()) {
       table.rows.push_back({{group_.joints()[joint].name}, from_.roles[joint]});
@@ -154,8 +153,9 @@ class DocumentBuilder {
   void derivatives() {
     begin("Derivatives");
     prose(
-        "`J` is the Jacobian of the closures `f` by the unknowns `q`, F_d that by the dimensions "
-        "`d`, and F_u that by the inputs `u`. The unknowns' sensitivities solve `J*dq/dd = -F_d` "
+        "`J`, F_d and F_u are the Jacobians of the closures `f` by the unknowns `q`, the "
+        "dimensions "
+        "`d` and the inputs `u`. The unknowns' sensitivities solve `J*dq/dd = -F_d` "
         "and `J*dq/du = -F_u`.");
     for (const DerivedMatrix* matrix :
          {&from_.jacobian, &from_.dimension_jacobian, &from_.input_jacobian}) {
@@ -304,7 +304,7 @@ class DocumentBuilder {
     const DerivedForces& forces = *from_.forces;
     prose(
         "On each link act a force and a moment about the origin of its frame, in the directions "
-        "of the fixed frame: weight, inertia, and what is passed on by other groups.");
+        "of the fixed frame: weight, inertia, and the loads from other groups.");
     for (const structure::LinkIndex link : group_.links().keys()) {
       const auto& load = forces.loads[link];
       add(Given{{load.begin(), load.end()}, "force and moment on link " + group_.links()[link]});
@@ -334,7 +334,7 @@ class DocumentBuilder {
         "joint, or at a slide at the foot of the perpendicular from the origin of the second "
         "link's frame, with the couple.");
     add(reactions(forces.joints));
-    prose("What is passed on to the neighbours of the group:");
+    prose("Loads on the neighbours of the group:");
     add(reactions(forces.neighbours));
     prose("In all " + operations(forces.operations) +
           ", of which the loads along the unknowns take " + operations(forces.of_loads) + ".");

@@ -160,8 +160,8 @@ class LoopReduction {
     RecordedStep step{
         loop.name + " across the slide: free of " + slide.name,
         "the loop is `r + " + slide.name +
-            "*e = 0` with the unit vector `e` of its slide: what is across `e` is free of " +
-            slide.name + ", what is along `e` gives it back",
+            "*e = 0` with the unit vector `e` of its slide: its part across `e` is free of " +
+            slide.name + ", its part along `e` gives it back",
         {"cross(e, r) = 0", slide.name + " = -dot(e, r)"},
         {&slide}};
     const equations::Vector2 e =

@@ -213,7 +213,7 @@ class ForceWalk {
                                                     : entry * solved[row];
     }
     const std::string& name = equations_.unknowns[unknown].name;
-    return named("known_" + name, sum, "what the known forces do along " + name);
+    return named("known_" + name, sum, "the known forces along " + name);
   }
   /// Whether an entry of the Jacobian is neither a number nor a dimension.
   [[nodiscard]] bool is_computed(const GiNaC::ex& entry) const {

@@ -8,16 +8,6 @@
 namespace assur::speed {
 
 template <typename Model>
-[[nodiscard]] Found<Model> closed_form(const PositionSample<Model>& sample) {
-  const auto assembled = assemblies<Model>(sample.d, sample.u);
-  Found<Model> found;
-  for (int index = 0; index < assembled.count; ++index) {
-    found.add(assembled.configurations[static_cast<std::size_t>(index)]);
-  }
-  return found;
-}
-
-template <typename Model>
 using Polynomial = TrigonometricPolynomial<double, Model::polynomial_degree>;
 
 /// How far a computed root may be from the real line, or from the unit circle, and still count as a

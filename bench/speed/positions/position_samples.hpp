@@ -122,27 +122,49 @@ struct PositionSamples {
   std::vector<PositionTruth<Model>> truth;
 };
 
-template <typename Model>
-[[nodiscard]] PositionTruth<Model> position_truth(const PositionSample<Model>& sample) {
+/// The different ones among the configurations of lists, in 60 digits; nothing of those that do not
+/// converge.
+template <typename Model, typename... Lists>
+[[nodiscard]] PositionTruth<Model> precise_configurations(const PositionSample<Model>& sample,
+                                                          const Lists&... lists) {
   PositionTruth<Model> truth;
-  truth.count = static_cast<std::size_t>(test::exact_assembly_count<Model>(sample.d, sample.u));
   const auto d = in_scalar<typename Model::template Dimensions<Precise>>(sample.d);
   const auto u = in_scalar<typename Model::template Inputs<Precise>>(sample.u);
-  const auto found = assemblies<Model>(sample.d, sample.u);
-  for (int index = 0; index < found.count; ++index) {
-    auto q = in_scalar<typename Model::template Configuration<Precise>>(
-        found.configurations[static_cast<std::size_t>(index)]);
-    if (!assemble<Model>(d, u, q)) {
-      continue;
+  const auto add = [&](const Found<Model>& found) {
+    for (std::size_t index = 0; index < found.count; ++index) {
+      auto q = in_scalar<typename Model::template Configuration<Precise>>(found.list[index]);
+      if (!assemble<Model>(d, u, q)) {
+        continue;
+      }
+      const auto exact = in_scalar<typename Model::template Configuration<long double>>(q);
+      const bool known = std::any_of(truth.list.begin(), truth.list.end(), [&](const auto& other) {
+        return apart(exact, other) < 1e-15;
+      });
+      if (!known) {
+        truth.list.push_back(exact);
+      }
     }
-    const auto exact = in_scalar<typename Model::template Configuration<long double>>(q);
-    const bool known = std::any_of(truth.list.begin(), truth.list.end(),
-                                   [&](const auto& other) { return apart(exact, other) < 1e-15; });
-    if (!known) {
-      truth.list.push_back(exact);
-    }
-  }
+  };
+  (add(lists), ...);
   set_tolerances(sample, truth);
+  return truth;
+}
+
+/// All configurations that the generated code lists.
+template <typename Model>
+[[nodiscard]] Found<Model> closed_form(const PositionSample<Model>& sample) {
+  const auto assembled = assemblies<Model>(sample.d, sample.u);
+  Found<Model> found;
+  for (int index = 0; index < assembled.count; ++index) {
+    found.add(assembled.configurations[static_cast<std::size_t>(index)]);
+  }
+  return found;
+}
+
+template <typename Model>
+[[nodiscard]] PositionTruth<Model> position_truth(const PositionSample<Model>& sample) {
+  PositionTruth<Model> truth = precise_configurations(sample, closed_form(sample));
+  truth.count = static_cast<std::size_t>(test::exact_assembly_count<Model>(sample.d, sample.u));
   return truth;
 }
 

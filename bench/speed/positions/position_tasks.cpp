@@ -1,6 +1,7 @@
 // The position tasks: random groups of models with 6, 4, 2 and 1 configurations.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <assur/tetrad/model_01.hpp>
 #include <assur/tetrad/model_04.hpp>
 #include <assur/tetrad/model_05.hpp>
@@ -109,6 +110,37 @@ Task position_task(const std::string& name, PositionSamples<Model> made, std::si
   return task;
 }
 
+/// Regular groups in special position: their numbers are integers from -2 to 2, and their final
+/// polynomial has another number of roots than they have configurations, because a root belongs to
+/// none or to two. Their configurations are all that the generated code or many starts find.
+PositionSamples<tetrad::Model01> special_positions(std::size_t count) {
+  using Model = tetrad::Model01;
+  test::RandomInputs random(27182);
+  PositionSamples<Model> samples;
+  const auto draw = [&](auto& variables) {
+    for_each_member(variables, [&](double& member, std::size_t) {
+      member = static_cast<double>(random.integer(-2, 2));
+    });
+  };
+  while (samples.list.size() < count) {
+    PositionSample<Model> sample;
+    draw(sample.d);
+    draw(sample.u);
+    const Found<Model> listed = closed_form(sample);
+    const Found<Model> started = MultiStartNewton<Model>::find(sample, patient_effort);
+    PositionTruth<Model> truth = precise_configurations(sample, listed, started);
+    truth.count = truth.list.size();
+    const int roots = test::exact_assembly_count<Model>(sample.d, sample.u);
+    const bool is_regular =
+        std::ranges::all_of(truth.list, [&](const auto& q) { return condition(sample, q) < 1e6; });
+    if (truth.count > 0 && is_regular && roots != static_cast<int>(truth.count)) {
+      samples.list.push_back(sample);
+      samples.truth.push_back(std::move(truth));
+    }
+  }
+  return samples;
+}
+
 }  // namespace
 
 std::vector<Task> position_tasks(const TaskSizes& sizes) {
@@ -121,6 +153,8 @@ std::vector<Task> position_tasks(const TaskSizes& sizes) {
       position_task("all configurations, near singular",
                     positions_of<Model01>(near_singular_tetrads(sizes.near_singular).list),
                     sizes.phc_inputs, patient_effort));
+  tasks.push_back(position_task("all configurations, special position",
+                                special_positions(sizes.near_singular), 0, patient_effort));
   tasks.push_back(
       position_task("all configurations, RPP-RRR (at most 4)", random_positions<Model05>(fewer)));
   tasks.push_back(

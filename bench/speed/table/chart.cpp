@@ -1,6 +1,8 @@
 #include "table/chart.hpp"
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <stdexcept>
 #include <string_view>
 
@@ -130,6 +132,36 @@ int number_of(const std::string& scalar) {
   return scalar == "double" ? 1 : scalar == "float" ? 2 : 3;
 }
 
+/// The panels of the summary, in their order.
+constexpr std::array<std::string_view, 4> summary_tasks = {
+    {"four-bar, position, velocity, acceleration", "sensitivities, velocity, acceleration",
+     "all configurations", "six-link group, all configurations"}};
+
+/// At most eight methods of a task in double precision: the fastest of each family first, then the
+/// next of each.
+Task most_telling(const Task& task) {
+  constexpr std::size_t most = 8;
+  std::map<int, std::vector<Entry>> of_family;
+  for (const Entry& entry : task.entries) {
+    if (!label_of(entry.row).empty() && entry.row.scalar == "double") {
+      of_family[naming_of(entry.row.method).family].push_back(entry);
+    }
+  }
+  for (auto& [family, entries] : of_family) {
+    std::ranges::sort(entries, {}, [](const Entry& entry) { return entry.row.ns; });
+  }
+  Task chosen{task.name, task.inputs, {}};
+  const std::size_t count = task.entries.size();
+  for (std::size_t place = 0; place < count; ++place) {
+    for (const auto& [family, entries] : of_family) {
+      if (place < entries.size() && chosen.entries.size() < most) {
+        chosen.entries.push_back(entries[place]);
+      }
+    }
+  }
+  return chosen;
+}
+
 void write_panel(const Task& task, std::ostream& out) {
   constexpr std::size_t lines = 13;  // labels that a panel has room for
   constexpr std::size_t few = 3;     // methods at most, if labels are to have room for their times
@@ -179,6 +211,15 @@ void write_panel(const Task& task, std::ostream& out) {
 void write_chart_columns(const std::vector<Task>& tasks, std::ostream& out) {
   for (const Task& task : tasks) {
     write_panel(task, out);
+  }
+}
+
+void write_summary_columns(const std::vector<Task>& tasks, std::ostream& out) {
+  for (const std::string_view name : summary_tasks) {
+    const auto task = std::ranges::find(tasks, name, &Task::name);
+    if (task != tasks.end()) {
+      write_panel(most_telling(*task), out);
+    }
   }
 }
 

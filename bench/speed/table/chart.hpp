@@ -12,5 +12,7 @@ namespace assur::speed {
 /// the label, lowest and highest error of the panel. Families and scalars are numbered as in the
 /// chart's legend.
 void write_chart_columns(const std::vector<Task>& tasks, std::ostream& out);
+/// The same for the four main tasks, with at most eight methods each.
+void write_summary_columns(const std::vector<Task>& tasks, std::ostream& out);
 
 }  // namespace assur::speed

@@ -116,6 +116,8 @@ void write_report(const std::vector<Task>& tasks, const std::filesystem::path& d
   write_rows(tasks, markdown);
   std::ofstream columns = opened(directory / "speed_accuracy.dat");
   write_chart_columns(tasks, columns);
+  std::ofstream summary = opened(directory / "speed_summary.dat");
+  write_summary_columns(tasks, summary);
 }
 
 }  // namespace assur::speed

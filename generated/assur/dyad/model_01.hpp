@@ -146,7 +146,7 @@ struct Model01 {
       {"RRR", { 0, 1, 2 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -422,7 +422,7 @@ struct Model01 {
     T.cosine[0] = T_0_re;  T.cosine[1] = Scalar(2) * T_m1_re;  T.sine[1] = Scalar(2) * T_m1_im;
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -145,7 +145,7 @@ struct Model03 {
       {"RPR", { 0, 1, 2 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -385,7 +385,7 @@ struct Model03 {
     T.cosine[0] = T_0_re;  T.cosine[1] = Scalar(2) * DB_y;  T.sine[1] = -Scalar(2) * DB_x;
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>&, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

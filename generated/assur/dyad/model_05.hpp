@@ -149,7 +149,7 @@ struct Model05 {
       {"PRP", { 0, 1, 2 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -481,7 +481,7 @@ struct Model05 {
     T(0) = T_0_re;  T(1) = T_1_re;
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -167,7 +167,7 @@ struct Model01 {
       {"RRR-RRR", { 0, 1, 2, 3, 4, 5 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -763,7 +763,7 @@ struct Model01 {
         + d.x_G_BCG * (d.x_G_BCG + Scalar(2) * t01) + t02 - d.GF * d.GF;
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

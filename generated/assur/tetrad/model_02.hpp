@@ -168,7 +168,7 @@ struct Model02 {
       {"RRR-RRP", { 3, 5, 4, 0, 2, 1 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -767,7 +767,7 @@ struct Model02 {
         + EB_x * EB_x + EB_y * EB_y + d.y_G_BCG * (d.y_G_BCG + Scalar(2) * t01) - d.GF * d.GF;
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -165,7 +165,7 @@ struct Model03 {
       {"RRP-RPR", { 0, 2, 1, 3, 5, 4 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -713,7 +713,7 @@ struct Model03 {
     e(1, 2) = Scalar(2) * (d.h_F_EDF - d.h_F_GF);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -176,7 +176,7 @@ struct Model06 {
       {"RRP-RPP", { 3, 5, 4, 0, 2, 1 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -714,7 +714,7 @@ struct Model06 {
     T.cosine[0] = T_0_re;  T.cosine[1] = Scalar(2) * T_m1_re;  T.sine[1] = Scalar(2) * T_m1_im;
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -169,7 +169,7 @@ struct Model08 {
       {"RRR-PRR", { 3, 4, 5, 0, 1, 2 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -803,7 +803,7 @@ struct Model08 {
         + t04 - d.GF * d.GF - d.h_B_BCG * (Scalar(2) * d.y_G_BCG - t03);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -167,7 +167,7 @@ struct Model10 {
       {"RPP-PRR", { 3, 4, 5, 0, 1, 2 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -763,7 +763,7 @@ struct Model10 {
         + d.h_F_GF - (t03 * d.psi_F_EDF.cos + t02 * d.psi_F_EDF.sin) * q.theta_EDF.sin - d.h_F_EDF);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -184,7 +184,7 @@ struct Model11 {
       {"PRR-PRR", { 0, 1, 2, 3, 4, 5 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -867,7 +867,7 @@ struct Model11 {
         - EB_x * t04) * u.phi_B.cos - d.GF * d.GF;
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

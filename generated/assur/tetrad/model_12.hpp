@@ -169,7 +169,7 @@ struct Model12 {
       {"RRP-PPR", { 3, 4, 5, 0, 1, 2 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -814,7 +814,7 @@ struct Model12 {
         + d.h_B_BCG * u.phi_B.sin) * q.theta_EDF.sin - d.h_F_EDF);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

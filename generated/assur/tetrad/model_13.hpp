@@ -170,7 +170,7 @@ struct Model13 {
       {"RRR-PRP", { 3, 5, 4, 0, 2, 1 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -834,7 +834,7 @@ struct Model13 {
         - Scalar(2) * EB_y * q.theta_EDF.cos) + EB_x * EB_x + EB_y * EB_y - d.GF * d.GF;
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

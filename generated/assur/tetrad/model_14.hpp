@@ -183,7 +183,7 @@ struct Model14 {
       {"RRP-PRP", { 3, 5, 4, 0, 2, 1 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -787,7 +787,7 @@ struct Model14 {
     T(0) = T_0_re;  T(1) = T_1_re;  T(2) = Scalar(1);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -186,7 +186,7 @@ struct Model16 {
       {"PRR-PRP", { 3, 5, 4, 0, 2, 1 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -917,7 +917,7 @@ struct Model16 {
         - Scalar(2) * d.y_F_EDF) + d.y_F_EDF * (d.y_F_EDF - Scalar(2) * t04) - d.GF * d.GF;
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -180,7 +180,7 @@ struct Model17 {
       {"PRP-PPR", { 0, 2, 1, 3, 5, 4 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -932,7 +932,7 @@ struct Model17 {
         + d.h_F_GF - (t02 * u.phi_E.cos + t01 * u.phi_E.sin) * d.psi_F_EDF.sin - d.h_F_EDF);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -180,7 +180,7 @@ struct Model22 {
       {"PRR-PPP", { 3, 4, 5, 0, 1, 2 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -906,7 +906,7 @@ struct Model22 {
         + d.h_G_GF - (t03 * u.phi_B.cos - t02 * u.phi_B.sin) * d.psi_G_BCG.cos - d.h_G_BCG);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -164,7 +164,7 @@ struct Model01 {
       {"RR-RR-RR", { 0, 1, 2, 3, 4, 5 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -739,7 +739,7 @@ struct Model01 {
         + FB_y * FB_y - d.FG * d.FG;
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

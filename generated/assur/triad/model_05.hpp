@@ -167,7 +167,7 @@ struct Model05 {
       {"RR-RP-RP", { 4, 5, 0, 1, 2, 3 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -732,7 +732,7 @@ struct Model05 {
         - Scalar(2) * t03) + d.h_C_BC * (d.h_C_BC + Scalar(2) * t03) - d.FG * d.FG;
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -186,7 +186,7 @@ struct Model07 {
       {"RR-RP-PP", { 4, 5, 2, 3, 0, 1 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -862,7 +862,7 @@ struct Model07 {
         - Scalar(2) * t05 * d.psi_C_BC.cos) + q.s_B * (q.s_B + Scalar(2) * t06) - d.FG * d.FG;
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -174,7 +174,7 @@ struct Model11 {
       {"RP-RP-RP", { 0, 1, 2, 3, 4, 5 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -700,7 +700,7 @@ struct Model11 {
         + FB_y * q.theta_CEG.sin) * d.psi_G_CEG.sin - d.h_G_FG);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -168,7 +168,7 @@ struct Model12 {
       {"RP-RP-PR", { 2, 3, 4, 5, 0, 1 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -750,7 +750,7 @@ struct Model12 {
         + (t02 * d.psi_G_CEG.cos - t01 * d.psi_G_CEG.sin) * q.theta_CEG.sin + d.h_G_FG - d.h_G_CEG);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

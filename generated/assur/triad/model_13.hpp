@@ -180,7 +180,7 @@ struct Model13 {
       {"RP-RP-PP", { 2, 3, 4, 5, 0, 1 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -823,7 +823,7 @@ struct Model13 {
         + (t05 * d.psi_C_BC.cos + t06 * d.psi_C_BC.sin) * d.psi_G_CEG.sin + d.h_G_FG - d.h_G_CEG);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -171,7 +171,7 @@ struct Model14 {
       {"RP-PR-PR", { 4, 5, 0, 1, 2, 3 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -800,7 +800,7 @@ struct Model14 {
         - d.h_G_FG);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -185,7 +185,7 @@ struct Model15 {
       {"RP-PR-PP", { 4, 5, 2, 3, 0, 1 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -905,7 +905,7 @@ struct Model15 {
         + t02 * d.psi_C_BC.sin) * d.psi_G_CEG.sin + d.h_G_FG - d.h_G_CEG);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

@@ -181,7 +181,7 @@ struct Model17 {
       {"PR-PR-PR", { 0, 1, 2, 3, 4, 5 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -860,7 +860,7 @@ struct Model17 {
         - d.y_G_CEG * q.theta_CEG.sin) * u.phi_F.sin);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

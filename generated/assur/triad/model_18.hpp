@@ -185,7 +185,7 @@ struct Model18 {
       {"PR-PR-PP", { 2, 3, 4, 5, 0, 1 }},
   } };
 
-  /// What `sensitivities` and `sensitivities_and_motion` both compute.
+  /// Terms that `sensitivities` and `sensitivities_and_motion` share.
   template <typename Scalar>
   struct SensitivityTerms {
     const Dimensions<Scalar>& d;
@@ -912,7 +912,7 @@ struct Model18 {
         - (FB_x + t02 * u.phi_B.cos + t03 * u.phi_B.sin) * u.phi_F.sin);
   }
 
-  /// The other unknowns, where those of the reduced equations are known.
+  /// The other unknowns, from those of the reduced equations.
   template <typename Scalar>
   static void complete(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       Configuration<Scalar>& q) {

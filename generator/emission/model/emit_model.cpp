@@ -85,7 +85,7 @@ cpp::EmittedFile emit_model_list(const structure::Group& group, const std::set<s
 const SharedTerms sensitivity_terms = {
     "SensitivityTerms",
     "s",
-    {"What `sensitivities` and `sensitivities_and_motion` both compute."},
+    {"Terms that `sensitivities` and `sensitivities_and_motion` share."},
     {"sensitivities", "sensitivities_and_motion"}};
 
 /// The header of a model, without the forces of a degenerate one.

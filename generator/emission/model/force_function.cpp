@@ -32,7 +32,7 @@ void ForceFunction::take_reciprocals(const std::vector<GiNaC::symbol>& reciproca
   if (reciprocals.empty()) {
     return;
   }
-  naming.function.doc.emplace_back("The rates have told the `reciprocals`.");
+  naming.function.doc.emplace_back("The `reciprocals` come from the rates.");
   naming.function.inputs.push_back({"const Vector<Scalar, reciprocal_count>&", "reciprocals"});
   std::size_t row = 0;
   for (const GiNaC::symbol& reciprocal : reciprocals) {

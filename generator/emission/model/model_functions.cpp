@@ -247,7 +247,7 @@ std::vector<ModelFunction> position_functions(const equations::ClosureEquations&
   }
 
   ModelFunction complete{"complete",
-                         {"The other unknowns, where those of the reduced equations are known."},
+                         {"The other unknowns, from those of the reduced equations."},
                          {dimensions, inputs},
                          {{"Configuration<Scalar>&", "q"}},
                          {}};

@@ -51,13 +51,13 @@ SpecialPointFunctions special_point_functions(const equations::ClosureEquations&
       {}};
   ModelFunction velocities{
       "special_point_velocities",
-      {"The velocity of each special point by each side, less what dq/dt adds."},
+      {"The velocity of each special point by each side, without the terms of dq/dt."},
       {dimensions, inputs, configuration, points, input_rates},
       {{"Matrix<Scalar, 2 * closure_link_count, 2>&", "v"}},
       {}};
   ModelFunction accelerations{
       "special_point_accelerations",
-      {"The acceleration of each special point by each side, less what d2q/dt2 adds:",
+      {"The acceleration of each special point by each side, without the terms of d2q/dt2:",
        "centripetal and Coriolis terms, and the second rates of the inputs."},
       {dimensions, inputs, configuration, points, rates, input_rates, input_second_rates},
       {{"Matrix<Scalar, 2 * closure_link_count, 2>&", "a"}},

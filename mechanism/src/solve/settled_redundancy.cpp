@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <assur/local/close.hpp>
-#include <assur/support/derivative_digits.hpp>
 #include <assur/support/redundant.hpp>
 #include <cmath>
 #include <limits>
 
 #include "plan/plan_data.hpp"
-#include "precision.hpp"
 #include "redundant_joints.hpp"
 #include "relative_frames.hpp"
 
@@ -65,14 +63,13 @@ double SettledRedundancy::settle(PlacedLinks& placed) {
 void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLinks& placed) {
   const Eigen::MatrixXd jacobian = constraints_.jacobian(poses);
   const auto factors = local::factors_of<AllConstraints::Body>(jacobian);
-  const double firmness = local::firmness_of(factors);
-  const double error = constraints_.rounding() / (firmness * firmness);
-  placed.is_crossing = !(error < 1);
+  const support::RateDigits<double> digits(constraints_.rounding(), local::firmness_of(factors), 2);
+  placed.is_crossing = !(digits.error < 1);
   goes_on_ = true;
   // Where all constraints together do not determine the rates, those of the remaining ones belong
   // to only one of several motions.
   placed.rates_known = placed.derivatives_known = false;
-  if (!(error < two_digits)) {
+  if (!digits.are_known()) {
     return;
   }
   AllConstraints::Links links = placed.links;
@@ -88,31 +85,28 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   }
   const Eigen::MatrixXd rates = -factors.solve(open);
   constraints_.add_first(rates, links);
-  const Eigen::MatrixXd contradicted = jacobian * rates + open;
-  const auto contradicts = [&](Eigen::Index column) {
-    return !(contradicted.col(column).norm() <=
-             support::agreement_of_rates<double> * open.col(column).norm());
+  const auto of_column = [&](const Eigen::MatrixXd& solved, const Eigen::MatrixXd& from,
+                             Eigen::Index column) -> support::SolvedRates<double> {
+    return {solved.col(column).norm(), from.col(column).norm(),
+            (jacobian * solved.col(column) + from.col(column)).norm()};
   };
   const Eigen::MatrixXd open_twice = constraints_.second_rates(links);
-  const double second_error = error / firmness;
-  const bool is_known_twice = second_error < two_digits && open_twice.allFinite();
+  const bool is_known_twice = digits.are_all_known() && open_twice.allFinite();
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const Eigen::MatrixXd twice =
       is_known_twice ? Eigen::MatrixXd(-factors.solve(open_twice))
                      : Eigen::MatrixXd::Constant(rates.rows(), open_twice.cols(), unknown);
   constraints_.add_second(twice, links);
   placed.links = std::move(links);
-  placed.regularity =
-      is_known_twice && second_error < support::six_digits ? Status::ok : Status::near_singular;
-  const bool contradicts_twice = placed.regularity == Status::ok &&
-                                 (jacobian * twice.col(0) + open_twice.col(0)).norm() >
-                                     support::agreement_of_second_rates<double> *
-                                         (open_twice.col(0).norm() + rates.col(0).squaredNorm());
-  goes_on_ = !contradicts(0) && !contradicts_twice;
+  placed.regularity = is_known_twice ? digits.regularity() : Status::near_singular;
+  const support::SolvedRates<double> first = of_column(rates, open, 0);
+  goes_on_ = !first.contradict() && (placed.regularity != Status::ok ||
+                                     !of_column(twice, open_twice, 0).contradict_twice(first));
   placed.rates_known = true;
   placed.derivatives_known = is_known_twice || !values_.second_order();
   for (Eigen::Index column = 1; column < open.cols(); ++column) {
-    placed.derivatives_known = placed.derivatives_known && !contradicts(column);
+    placed.derivatives_known =
+        placed.derivatives_known && !of_column(rates, open, column).contradict();
   }
   placed.path_known = placed.derivatives_known;
 }

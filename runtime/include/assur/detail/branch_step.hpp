@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 
 namespace assur::detail {
 
@@ -128,6 +129,18 @@ template <typename Scalar, typename Variables>
   return largest;
 }
 
+/// The same with lengths divided by the group's size.
+template <typename Scalar, typename Variables>
+[[nodiscard]] Scalar farthest_move(const Variables& one, const Variables& other,
+                                   Scalar inverse_size) {
+  Scalar largest = 0;
+  for_each_pair(one, other, [&](const auto& x, const auto& y) {
+    constexpr bool is_length = std::is_same_v<std::decay_t<decltype(x)>, Scalar>;
+    largest = (std::max)(largest, apart(x, y) * (is_length ? inverse_size : Scalar(1)));
+  });
+  return largest;
+}
+
 /// The pivots of J that extrapolation from one end predicts to vanish within twice a step. `beside`
 /// are the inputs after a small part of the step, `pivots_beside` the pivots there. If the inputs
 /// start from rest, turn back or go round in a circle, so that their tangent and their chord differ
@@ -223,7 +236,18 @@ template <typename Model, typename Scalar>
   const Unknowns defect =
       way - width / 2 * (start.motion.velocity + end.motion.velocity) -
       width * width * (Scalar(1) / 12) * (start.motion.acceleration - end.motion.acceleration);
-  return turn_of<Model, Scalar>(defect, inverse_size) <= StepLimits<Scalar>().defect &&
+  const Scalar deviation = turn_of<Model, Scalar>(defect, inverse_size);
+  if (!(deviation <= StepLimits<Scalar>().defect)) {
+    return false;
+  }
+  auto straight = from.u;
+  advance(straight, Vector<Scalar, Model::input_count>(width * from.rate));
+  const Scalar turn = (std::max)(turn_of<Model, Scalar>(way, inverse_size),
+                                 farthest_move<Scalar>(from.u, inputs.u, inverse_size));
+  const Unknowns change = width * (end.motion.velocity - start.motion.velocity);
+  const Scalar bend = turn_of<Model, Scalar>(change, inverse_size) + deviation +
+                      farthest_move<Scalar>(straight, inputs.u, inverse_size);
+  return keep_their_signs<Model, Scalar>(start.pivots, pivots, turn + bend, bend) ||
          !may_pass_singularity<Model, Scalar>(d, from, start, inputs, end, width);
 }
 

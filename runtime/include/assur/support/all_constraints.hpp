@@ -5,9 +5,7 @@
 #include <array>
 #include <assur/local/body_constraints.hpp>
 #include <assur/local/close.hpp>
-#include <assur/numeric/precision.hpp>
 #include <assur/status.hpp>
-#include <assur/support/derivative_digits.hpp>
 #include <assur/support/placed_link.hpp>
 #include <assur/support/redundant.hpp>
 #include <assur/support/rigid_motion.hpp>
@@ -40,6 +38,7 @@ class AllConstraints {
   using Jacobian = typename Constraints::Jacobian;
   using Factors = local::Factors<Constraints>;
   using Plane = Vector<Scalar, 2>;
+  using Rates = SolvedRates<Scalar>;
 
  public:
   AllConstraints(const std::array<Frame*, Links>& links,
@@ -107,21 +106,10 @@ class AllConstraints {
     return result;
   }
 
-  /// Norms of a solution for a column of rates or gradients: of the rates of q, of the derivatives
-  /// of f that determine them, and of the residual.
-  struct Solved {
-    Scalar rates, open, left;
-
-    /// Whether the residual exceeds a fraction of the right-hand side: then the constraints
-    /// contradict each other.
-    [[nodiscard]] bool contradicts(Scalar part, Scalar more = 0) const {
-      return left > part * (open + more);
-    }
-  };
   /// Solves for a column of all links, which must be zero before the call.
   template <typename Column>
-  [[nodiscard]] Solved solve_column(const Factors& factors, const Jacobian& J, const Column& column,
-                                    bool twice) {
+  [[nodiscard]] Rates solve_column(const Factors& factors, const Jacobian& J, const Column& column,
+                                   bool twice) {
     const Open open = slopes(column, twice);
     const Step rates = -local::shortest_solution<Constraints>(factors, open);
     for (int link = 0; link < static_cast<int>(Links); ++link) {
@@ -143,33 +131,27 @@ class AllConstraints {
   [[nodiscard]] bool find_rates(Status& regularity) {
     const Jacobian J = constraints_.jacobian(poses_);
     const Factors factors = local::factors_of<Constraints>(J);
-    const Scalar firmness = local::firmness_of(factors);
-    const Scalar error = constraints_.rounding() / (firmness * firmness);
-    if (!(error < Scalar(two_digits))) {
+    const RateDigits<Scalar> digits(constraints_.rounding(), local::firmness_of(factors), Order);
+    if (!digits.are_known()) {
       forget_rates();
       return true;
     }
-    const Scalar last_error = Order < 2 ? error : error / firmness;  // of the last rates modelled
-    const bool is_known_twice = last_error < Scalar(two_digits);
-    regularity = last_error < Scalar(regular_error<Scalar>) ? Status::ok : Status::near_singular;
+    regularity = digits.regularity();
     for (Frame* link : links_) {
       link->rates.setZero();
       link->gradient.setZero();
     }
-    constexpr auto of_rates = Scalar(agreement_of_rates<Scalar>);
     bool agree = true;
     if constexpr (Order > 0) {
       const auto velocity = [](auto& frame) { return frame.rates.col(0); };
-      const Solved first = solve_column(factors, J, velocity, false);
-      agree = !first.contradicts(of_rates);
+      const Rates first = solve_column(factors, J, velocity, false);
+      agree = !first.contradict();
       if constexpr (Order > 1) {
         const auto acceleration = [](auto& frame) { return frame.rates.col(1); };
-        const Solved second = solve_column(factors, J, acceleration, true);
-        agree = agree && (regularity != Status::ok ||
-                          !second.contradicts(Scalar(agreement_of_second_rates<Scalar>),
-                                              first.rates * first.rates));
+        const Rates second = solve_column(factors, J, acceleration, true);
+        agree = agree && (regularity != Status::ok || !second.contradict_twice(first));
         for (Frame* link : links_) {
-          if (!is_known_twice) {
+          if (!digits.are_all_known()) {
             link->rates.col(1).setConstant(std::numeric_limits<Scalar>::quiet_NaN());
           }
         }
@@ -179,7 +161,7 @@ class AllConstraints {
       for (int parameter = 0; parameter < Parameters; ++parameter) {
         const auto gradient = [parameter](auto& frame) { return frame.gradient.col(parameter); };
         // A gradient is unknown if constraints that do not contain the parameter contradict it.
-        if (solve_column(factors, J, gradient, false).contradicts(of_rates)) {
+        if (solve_column(factors, J, gradient, false).contradict()) {
           for (Frame* link : links_) {
             gradient(*link).setConstant(std::numeric_limits<Scalar>::quiet_NaN());
           }

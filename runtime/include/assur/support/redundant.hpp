@@ -6,6 +6,7 @@
 #include <assur/directions.hpp>
 #include <assur/model.hpp>
 #include <assur/status.hpp>
+#include <assur/support/derivative_digits.hpp>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -49,6 +50,42 @@ template <typename Scalar>
 inline constexpr double agreement_of_second_rates = std::numeric_limits<Scalar>::epsilon() < 1e-12
                                                         ? 1e-4
                                                         : 1e-2;
+
+/// How many digits the rates have that all constraints of a mechanism determine together, if their
+/// derivative J by the links' poses has the firmness s: its least singular value in parts of the
+/// largest. `rounding` is that of the constraints.
+template <typename Scalar>
+struct RateDigits {
+  Scalar error;       ///< of first rates: rounding / s^2
+  Scalar last_error;  ///< of the last rates that are computed; second ones divide by s once more
+
+  RateDigits(Scalar rounding, Scalar firmness, int order)
+      : error(rounding / (firmness * firmness)), last_error(order < 2 ? error : error / firmness) {}
+
+  [[nodiscard]] bool are_known() const { return error < Scalar(two_digits); }
+  [[nodiscard]] bool are_all_known() const { return last_error < Scalar(two_digits); }
+  [[nodiscard]] Status regularity() const {
+    return last_error < Scalar(regular_error<Scalar>) ? Status::ok : Status::near_singular;
+  }
+};
+
+/// Norms of the rates of one column: the solution q of J q = -f in the least squares, f, and what
+/// is left, J q + f.
+template <typename Scalar>
+struct SolvedRates {
+  Scalar rates, open, left;
+
+  /// Whether redundant constraints contradict one another in first rates: more is left than
+  /// rounding causes.
+  [[nodiscard]] bool contradict() const {
+    return !(left <= Scalar(agreement_of_rates<Scalar>) * open);
+  }
+  /// The same of second rates, whose f has terms of the first ones.
+  [[nodiscard]] bool contradict_twice(const SolvedRates& first) const {
+    return !(left <=
+             Scalar(agreement_of_second_rates<Scalar>) * (open + first.rates * first.rates));
+  }
+};
 
 /// The distance of the origins of two frames.
 template <typename Scalar>
