@@ -1,9 +1,11 @@
-// Precompiled header for emitted solvers and the programs around them: their common includes, and a
-// call of a solver.
+// Precompiled header for emitted solvers and the programs around them: their common includes, and
+// calls of some solvers, whose template instances other solvers share.
 #pragma once
 
 #include <array>
-#include <assur/scenes/compiled_before.hpp>
+#include <assur/scenes/before_eight_links.hpp>
+#include <assur/scenes/before_excavator_arm.hpp>
+#include <assur/scenes/before_three_cranks.hpp>
 #include <assur/support/all_constraints.hpp>
 #include <assur/support/derivative_digits.hpp>
 #include <assur/support/discriminant.hpp>
@@ -19,12 +21,18 @@
 
 namespace assur::scenes {
 
-inline void call_solver_that_is_compiled_before() {
-  using Solver = CompiledBefore;
-  const Solver::Drivers<double> drivers;
-  std::array<Solver::State<double>, Solver::max_configurations> states;
-  Solver::Branch branch = Solver::branch(drivers, Solver::solve(drivers, states).count);
+template <typename Solver>
+void call_solver() {
+  const typename Solver::template Drivers<double> drivers;
+  std::array<typename Solver::template State<double>, Solver::max_configurations> states;
+  auto branch = Solver::branch(drivers, Solver::solve(drivers, states).count);
   static_cast<void>(Solver::track(drivers, branch, states[0]));
+}
+
+inline void call_solvers_that_are_compiled_before() {
+  call_solver<BeforeEightLinks>();
+  call_solver<BeforeExcavatorArm>();
+  call_solver<BeforeThreeCranks>();
 }
 
 }  // namespace assur::scenes

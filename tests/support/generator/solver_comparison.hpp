@@ -60,7 +60,7 @@ inline SolverCompiler quick_compiler() {
   return clang.empty() || is_whole_campaign()
              ? SolverCompiler{ASSUR_COMPILER}
              : SolverCompiler{clang + " -include-pch " ASSUR_SOLVER_HEADERS ".pch",
-                              ASSUR_SOLVER_HEADERS ".o "};
+                              ASSUR_SOLVER_LINKER ASSUR_SOLVER_HEADERS ".o "};
 }
 
 /// Compiles a file to a program.

@@ -50,13 +50,11 @@ class SingularPointSearch {
  public:
   SingularPointSearch(const System& system, const Point& near, int corank)
       : system_(system),
-        rows_(system.row_count()),
-        columns_(system.unknown_count() + 1),
-        rank_(columns_ - 1 - corank),
-        N_(memory_of_N_, columns_, right()),
-        W_(memory_of_W_, rows_, left()),
-        V_(memory_of_V_, columns_, right()),
-        Y_(memory_of_Y_, rows_, left()),
+        rank_(columns() - 1 - corank),
+        N_(memory_of_N_, columns(), right()),
+        W_(memory_of_W_, rows(), left()),
+        V_(memory_of_V_, columns(), right()),
+        Y_(memory_of_Y_, rows(), left()),
         S_(memory_of_S_, left(), right()),
         mu_(memory_of_mu_, left(), 1) {
     result_.at = near;
@@ -83,39 +81,46 @@ class SingularPointSearch {
   }
 
  private:
-  [[nodiscard]] int right() const { return columns_ - rank_; }
-  [[nodiscard]] int left() const { return rows_ - rank_; }
+  // Constants where sizes are fixed, so that compilers remove the checks of indices below them.
+  [[nodiscard]] int rows() const {
+    return has_fixed_size<System> ? System::rows : system_.row_count();
+  }
+  [[nodiscard]] int columns() const {
+    return has_fixed_size<System> ? columns_of<System> : system_.unknown_count() + 1;
+  }
+  [[nodiscard]] int right() const { return columns() - rank_; }
+  [[nodiscard]] int left() const { return rows() - rank_; }
 
   void find_lost_directions(const WideOf<System>& J) {
-    Table<Scalar> table(memory_, rows_, columns_ + rows_);
-    for (int row = 0; row < rows_; ++row) {
-      for (int column = 0; column < columns_; ++column) {
+    Table<Scalar> table(memory_, rows(), columns() + rows());
+    for (int row = 0; row < rows(); ++row) {
+      for (int column = 0; column < columns(); ++column) {
         table(row, column) = J(row, column);
       }
     }
-    local::find_lost_directions(table, columns_, rank_, N_, W_, pivots_);
+    local::find_lost_directions(table, columns(), rank_, N_, W_, pivots_);
   }
 
   /// Computes V, S and Y.
   void solve_bordered(const WideOf<System>& J) {
     for (const bool transposed : {false, true}) {
-      const int size = rows_ + right();
+      const int size = rows() + right();
       const int sides = transposed ? left() : right();
       Table<Scalar> table(memory_, size, size + sides);
       const auto entry = [&](int row, int column) -> Scalar& {
         return transposed ? table(column, row) : table(row, column);
       };
-      for (int row = 0; row < rows_; ++row) {
-        for (int column = 0; column < columns_; ++column) {
+      for (int row = 0; row < rows(); ++row) {
+        for (int column = 0; column < columns(); ++column) {
           entry(row, column) = J(row, column);
         }
         for (int column = 0; column < left(); ++column) {
-          entry(row, columns_ + column) = W_(row, column);
+          entry(row, columns() + column) = W_(row, column);
         }
       }
-      for (int column = 0; column < columns_; ++column) {
+      for (int column = 0; column < columns(); ++column) {
         for (int row = 0; row < right(); ++row) {
-          entry(rows_ + row, column) = N_(column, row);
+          entry(rows() + row, column) = N_(column, row);
         }
       }
       for (int side = 0; side < sides; ++side) {
@@ -127,14 +132,14 @@ class SingularPointSearch {
           const int row = pivots_.row_of(unknown);
           return row < 0 ? std::numeric_limits<Scalar>::quiet_NaN() : table(row, size + side);
         };
-        for (int row = 0; transposed && row < rows_; ++row) {
+        for (int row = 0; transposed && row < rows(); ++row) {
           Y_(row, side) = solved(row);
         }
-        for (int column = 0; !transposed && column < columns_; ++column) {
+        for (int column = 0; !transposed && column < columns(); ++column) {
           V_(column, side) = solved(column);
         }
         for (int row = 0; !transposed && row < left(); ++row) {
-          S_(row, side) = -solved(columns_ + row);
+          S_(row, side) = -solved(columns() + row);
         }
       }
     }
@@ -145,30 +150,30 @@ class SingularPointSearch {
   [[nodiscard]] bool take_step(const WideOf<System>& J, Scalar& longest) {
     // The ratio of the least pivot to the largest must exceed the error of finite differences.
     const Scalar least_firmness = 16 * std::sqrt(std::numeric_limits<Scalar>::epsilon());
-    const int size = columns_ + left();
-    Table<Scalar> table(memory_, rows_ + left() * right(), size + 1);
+    const int size = columns() + left();
+    Table<Scalar> table(memory_, rows() + left() * right(), size + 1);
     const OpenOf<System> open = system_.misses(result_.at);
-    for (int row = 0; row < rows_; ++row) {
+    for (int row = 0; row < rows(); ++row) {
       table(row, size) = -open(row);
-      for (int column = 0; column < columns_; ++column) {
+      for (int column = 0; column < columns(); ++column) {
         table(row, column) = J(row, column);
       }
       for (int index = 0; index < left(); ++index) {
-        table(row, columns_ + index) = W_(row, index);
+        table(row, columns() + index) = W_(row, index);
         table(row, size) -= W_(row, index) * mu_(index, 0);
       }
     }
-    StepOf<System> step(columns_);
+    StepOf<System> step(columns());
     for (int side = 0; side < right(); ++side) {
-      for (int column = 0; column < columns_; ++column) {
+      for (int column = 0; column < columns(); ++column) {
         step(column) = V_(column, side);
       }
       const WideOf<System> bent = bends<System>(system_, result_.at, step);
       for (int index = 0; index < left(); ++index) {
-        const int equation = rows_ + index * right() + side;
+        const int equation = rows() + index * right() + side;
         table(equation, size) = -S_(index, side);
-        for (int column = 0; column < columns_; ++column) {
-          for (int row = 0; row < rows_; ++row) {
+        for (int column = 0; column < columns(); ++column) {
+          for (int row = 0; row < rows(); ++row) {
             table(equation, column) += Y_(row, index) * bent(row, column);
           }
         }
@@ -178,7 +183,7 @@ class SingularPointSearch {
       return false;
     }
     longest = 0;
-    for (int column = 0; column < columns_; ++column) {
+    for (int column = 0; column < columns(); ++column) {
       step(column) = table(pivots_.row_of(column), size);
       longest = (std::max)(longest, std::abs(step(column)));
     }
@@ -187,7 +192,7 @@ class SingularPointSearch {
     }
     system_.move(step, result_.at);
     for (int index = 0; index < left(); ++index) {
-      mu_(index, 0) += table(pivots_.row_of(columns_ + index), size);
+      mu_(index, 0) += table(pivots_.row_of(columns() + index), size);
     }
     Scalar left_over = 0;
     for (int row = 0; row < table.rows(); ++row) {
@@ -203,7 +208,7 @@ class SingularPointSearch {
     const OpenOf<System> open = system_.misses(result_.at);
     for (int index = 0; index < left(); ++index) {
       Scalar miss = 0;
-      for (int row = 0; row < rows_; ++row) {
+      for (int row = 0; row < rows(); ++row) {
         miss += Y_(row, index) * open(row);
       }
       result_.opening = (std::max)(result_.opening, std::abs(miss));
@@ -211,7 +216,7 @@ class SingularPointSearch {
   }
 
   const System& system_;
-  int rows_, columns_, rank_;
+  int rank_;
   SingularPoint<System> result_;
   Memory<Scalar, Most::table> memory_;
   Memory<Scalar, Most::columns * Most::right> memory_of_N_, memory_of_V_;

@@ -94,7 +94,8 @@ class ClosuresOnWay {
   struct Place {
     Inputs u;
     Configurations q;
-    Open misses;
+    // Unaligned, for compilers keep Eigen's check of the alignment, which may end the program.
+    Eigen::Matrix<Scalar, rows, 1, Eigen::DontAlign> misses;
   };
   using Points = typename GroupPoints<Groups, Scalar>::Type;
 
