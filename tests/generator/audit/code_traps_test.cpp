@@ -193,7 +193,7 @@ INSTANTIATE_TEST_SUITE_P(
              "a.cpp:2:17: a call of a template's function"},
         Trap{"FunctionLikeAnElement", "a.cpp",
              "double q(int i);\n" + body("J(0, 0) = -l*sin(q_0); J(0, 1) = -q(1);"), 2,
-             "what 'q' does"},
+             "the effect of 'q'"},
         Trap{"OwnZero", "a.cpp", "M Zero() { return 1; }\n" + body("J = m::Zero();" + right), 2,
              "a.cpp:1:3: a function 'Zero' of your own"},
         Trap{"SecondInItsLine", "a.cpp", "void f() { Eigen::Matrix2d K, J;" + right + " }", 2,
