@@ -30,17 +30,25 @@ struct RelaxedMechanism {
   std::optional<OverConstrained> fault = {};
   std::string link = {};    ///< the link with the feature at which a constraint is left out
   bool loses_kept = false;  ///< whether the joint is one to keep
+  /// Whether the joint is on a link that a driver turns or shifts: from there the groups that
+  /// follow are placed, and they are larger without it.
+  bool is_on_driven = false;
 
   [[nodiscard]] int surplus() const { return fault ? fault->surplus : 0; }
   /// A step precedes those of a larger rank. Slots on bars come early: a slot on a bar leaves out
   /// the bar's length alone, whatever the bar's direction is. A slot on a link with more joints
   /// leaves out no single length.
   using Rank =
-      std::tuple<int, bool, std::size_t, std::string, std::size_t, std::string, std::string>;
+      std::tuple<int, bool, std::size_t, bool, std::string, std::size_t, std::string, std::string>;
   [[nodiscard]] Rank rank() const {
-    return {
-        surplus(), loses_kept, structure ? largest_group(*structure) : 0, redundant.name, points,
-        link,      from};
+    return {surplus(),
+            loses_kept,
+            structure ? largest_group(*structure) : 0,
+            is_on_driven,
+            redundant.name,
+            points,
+            link,
+            from};
   }
 };
 
@@ -87,6 +95,17 @@ class Balancer {
   }
   [[nodiscard]] const std::string& link_name(FeatureIndex feature) const {
     return mechanism_.links()[mechanism_.features()[feature].link].name;
+  }
+
+  /// Whether a driver moves the link of a feature against another one, if it is not the ground.
+  [[nodiscard]] bool is_driven(FeatureIndex feature) const {
+    const LinkIndex link = mechanism_.features()[feature].link;
+    return link != mechanism_.ground() &&
+           std::ranges::any_of(mechanism_.drivers(), [&](const Driver& driver) {
+             return std::ranges::any_of(
+                 mechanism_.joints()[driver.joint].between,
+                 [&](FeatureIndex at) { return mechanism_.features()[at].link == link; });
+           });
   }
 
   /// Whether no other joint holds the two links of a redundant one.
@@ -163,6 +182,7 @@ class Balancer {
       return;
     }
     step.link = link_name(step.redundant.other);
+    step.is_on_driven = is_driven(step.redundant.one) || is_driven(step.redundant.other);
     step.loses_kept = std::ranges::find(kept_, step.redundant.name) != kept_.end();
     steps_.push_back(std::move(step));
   }

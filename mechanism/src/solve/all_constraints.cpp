@@ -116,6 +116,27 @@ AllConstraints::Body AllConstraints::of_loose(const Table<LinkIndex, bool>& is_p
   return {std::move(pairs), loose};
 }
 
+Table<LinkIndex, bool> AllConstraints::without_joined(const Table<LinkIndex, bool>& is_placed,
+                                                      const std::vector<LinkIndex>& links) const {
+  Table<LinkIndex, bool> is_apart(is_placed.size(), true);
+  std::ranges::for_each(links, [&](LinkIndex link) { is_apart[link] = false; });
+  const Body::Pairs pairs = held();
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (const Body::Pair& pair : pairs) {
+      if (pair.first >= 0 && pair.second >= 0) {
+        const LinkIndex one = moving_[static_cast<std::size_t>(pair.first)];
+        const LinkIndex other = moving_[static_cast<std::size_t>(pair.second)];
+        if (is_apart[one] != is_apart[other] && !is_placed[one] && !is_placed[other]) {
+          is_apart[one] = is_apart[other] = false;
+          grows = true;
+        }
+      }
+    }
+  }
+  return is_apart;
+}
+
 AllConstraints::Body::Poses AllConstraints::moving_poses(const Poses& links) const {
   Body::Poses poses;
   for (const LinkIndex link : moving_) {

@@ -45,6 +45,10 @@ class AllConstraints {
   /// The constraints on the links that are not placed, at the present values, with the placed ones
   /// at rest.
   [[nodiscard]] Body of_loose(const Table<LinkIndex, bool>& is_placed, const Poses& links) const;
+  /// The links that constraints do not join to some, directly or through others that are not
+  /// placed; placed ones are among them.
+  [[nodiscard]] Table<LinkIndex, bool> without_joined(const Table<LinkIndex, bool>& is_placed,
+                                                      const std::vector<LinkIndex>& links) const;
   /// The poses of the moving links, in the order of q.
   [[nodiscard]] Body::Poses moving_poses(const Poses& links) const;
   void place(const Body::Poses& moved, Poses& links) const;

@@ -110,10 +110,12 @@ int followed_mobility(const Body& body, Poses poses) {
 
 }  // namespace
 
-int left_mobility(const Family& family, const AllConstraints& constraints) {
+int left_mobility(const Family& family, const AllConstraints& constraints,
+                  const std::vector<LinkIndex>& links) {
   constexpr int most_starts = 40;
   constexpr int enough_closed = 12;
-  Body body = constraints.of_loose(family.is_placed, poses_of(family.links));
+  Body body = constraints.of_loose(constraints.without_joined(family.is_placed, links),
+                                   poses_of(family.links));
   const Poses start = start_of(family, static_cast<std::size_t>(body.columns()) / 3);
   body.measure(start);
   std::minstd_rand random(1);

@@ -29,6 +29,10 @@ std::string reason_without(const std::string& reason, const PlanData& plan) {
          "; the positions in which these constraints hold are unknown";
 }
 
+const std::vector<LinkIndex>& links_of(const Family& family, const Values& values) {
+  return values.plan().structure.groups[family.group].links;
+}
+
 /// Sets the mobility of each family under all constraints and returns whether every one still
 /// moves. Returns false where the constraints cannot be closed together (`can_close`). Stops at the
 /// first family without a motion, since a fruitless search takes long.
@@ -41,7 +45,8 @@ bool are_left(std::vector<Family>& families, const Values& values) {
   }
   const AllConstraints constraints(values);
   return std::ranges::all_of(families, [&](Family& family) {
-    family.mobility = family.mobility > 0 ? left_mobility(family, constraints) : 0;
+    family.mobility =
+        family.mobility > 0 ? left_mobility(family, constraints, links_of(family, values)) : 0;
     return family.mobility > 0;
   });
 }
@@ -51,7 +56,7 @@ void tell_what_is_left(std::vector<Family>& families, const Values& values) {
   const AllConstraints constraints(values);
   for (Family& family : families) {
     if (family.mobility > 0) {
-      family.mobility = left_mobility(family, constraints);
+      family.mobility = left_mobility(family, constraints, links_of(family, values));
       if (family.mobility == 0) {
         family.reason = reason_without(family.reason, values.plan());
       }
