@@ -352,9 +352,9 @@ TEST(EmitMotions, AreTheSameInBatchesAndInC) {
 #include <assur/scenes/own.cpp>
 #include <vector>
             using S = assur::scenes::Own;
-            constexpr std::size_t count = 9, columns = assur::support::column_count<S::State<double>>;
-            constexpr std::size_t most = static_cast<std::size_t>(S::max_configurations);
             int main() {
+              constexpr std::size_t count = 9, columns = assur::support::column_count<S::State<double>>;
+              constexpr std::size_t most = static_cast<std::size_t>(S::max_configurations);
               std::vector<double> given(6 * count), states(most * columns * count);
               std::vector<assur::AssemblyStatus> status(count);
               std::vector<assur::Status> regularity(most * count);
