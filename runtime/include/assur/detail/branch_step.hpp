@@ -119,20 +119,10 @@ template <typename Model, typename Scalar>
   }
 }
 
-/// The largest difference of two lists of variables.
+/// The largest difference of two lists of variables, with lengths times `inverse_size`.
 template <typename Scalar, typename Variables>
-[[nodiscard]] Scalar largest_difference(const Variables& one, const Variables& other) {
-  Scalar largest = 0;
-  for_each_pair(one, other, [&largest](const auto& x, const auto& y) {
-    largest = (std::max)(largest, apart(x, y));
-  });
-  return largest;
-}
-
-/// The same with lengths divided by the group's size.
-template <typename Scalar, typename Variables>
-[[nodiscard]] Scalar farthest_move(const Variables& one, const Variables& other,
-                                   Scalar inverse_size) {
+[[nodiscard]] Scalar largest_difference(const Variables& one, const Variables& other,
+                                        Scalar inverse_size = Scalar(1)) {
   Scalar largest = 0;
   for_each_pair(one, other, [&](const auto& x, const auto& y) {
     constexpr bool is_length = std::is_same_v<std::decay_t<decltype(x)>, Scalar>;
@@ -243,10 +233,10 @@ template <typename Model, typename Scalar>
   auto straight = from.u;
   advance(straight, Vector<Scalar, Model::input_count>(width * from.rate));
   const Scalar turn = (std::max)(turn_of<Model, Scalar>(way, inverse_size),
-                                 farthest_move<Scalar>(from.u, inputs.u, inverse_size));
+                                 largest_difference<Scalar>(from.u, inputs.u, inverse_size));
   const Unknowns change = width * (end.motion.velocity - start.motion.velocity);
   const Scalar bend = turn_of<Model, Scalar>(change, inverse_size) + deviation +
-                      farthest_move<Scalar>(straight, inputs.u, inverse_size);
+                      largest_difference<Scalar>(straight, inputs.u, inverse_size);
   return keep_their_signs<Model, Scalar>(start.pivots, pivots, turn + bend, bend) ||
          !may_pass_singularity<Model, Scalar>(d, from, start, inputs, end, width);
 }
