@@ -244,8 +244,8 @@ Layout::Layout(const mechanism::Plan& plan, const mechanism::Want& want)
 
 void Layout::write(const mechanism::Plan& plan, const mechanism::Configuration& configuration,
                    const mechanism::Spread& spread, double* row) const {
-  if (!configuration.derivatives_known || !configuration.rates_known) {
-    write(plan, mechanism::without_unknown(plan, configuration), spread, row);
+  if (!configuration.derivatives_known) {
+    write(plan, mechanism::without_derivatives(plan, configuration), spread, row);
     return;
   }
   *row = configuration.residual;
@@ -267,9 +267,7 @@ void Layout::write(const mechanism::Plan& plan, const mechanism::Configuration& 
 std::pair<std::vector<double>, std::string> Layout::forces_of(
     const mechanism::Plan& plan, const mechanism::Values& values,
     const mechanism::Configuration& configuration) const {
-  const bool is_known = configuration.derivatives_known && configuration.rates_known;
-  const mechanism::Forces of = mechanism::forces_of(
-      values, is_known ? configuration : mechanism::without_unknown(plan, configuration));
+  const mechanism::Forces of = mechanism::forces_of(values, configuration);
   std::vector<double> numbers = mechanism::force_numbers(plan, of);
   numbers.reserve(forces.end() - forces.first);
   const auto add = [&](const mechanism::Forces& more) {

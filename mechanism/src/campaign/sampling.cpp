@@ -162,11 +162,11 @@ Solution nominal_solution(const Plan& plan, std::size_t branch) {
   return solution;
 }
 
-/// The numbers of the requested forces; NaN without a configuration, or if its rates are unknown.
+/// The numbers of the requested forces; NaN without a configuration.
 std::vector<double> force_numbers_or_none(const Plan& plan, const Values& values,
                                           const Configuration* configuration) {
   const std::size_t count = force_columns(plan).size();
-  if (count == 0 || configuration == nullptr || !configuration->rates_known) {
+  if (count == 0 || configuration == nullptr) {
     return std::vector<double>(count, none);
   }
   return force_numbers(plan, forces_of(values, *configuration));

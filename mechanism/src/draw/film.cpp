@@ -167,14 +167,11 @@ class FilmMaker {
   void record(int branch, int step, const Configuration& configuration) {
     Row row{step, link_poses(mechanism_, plan_.mechanism(), configuration), {}, {}, {}};
     const double unknown = std::numeric_limits<double>::quiet_NaN();
-    const double rates = configuration.rates_known ? 1 : unknown;
     for (const Point& point : configuration.outputs) {
-      const Eigen::Vector2d velocity = request_.want.velocity
-                                           ? Eigen::Vector2d(rates * point.velocity)
-                                           : Eigen::Vector2d::Constant(unknown);
-      const Eigen::Vector2d acceleration = request_.want.acceleration
-                                               ? Eigen::Vector2d(rates * point.acceleration)
-                                               : Eigen::Vector2d::Constant(unknown);
+      const Eigen::Vector2d velocity =
+          request_.want.velocity ? point.velocity : Eigen::Vector2d::Constant(unknown);
+      const Eigen::Vector2d acceleration =
+          request_.want.acceleration ? point.acceleration : Eigen::Vector2d::Constant(unknown);
       for (const Eigen::Vector2d& part : {point.position, velocity, acceleration}) {
         row.outputs.insert(row.outputs.end(), {part.x(), part.y()});
       }

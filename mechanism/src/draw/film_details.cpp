@@ -94,15 +94,14 @@ void FilmDetails::name(Film& film) const {
 
 DetailRow FilmDetails::row_of(const Values& values, const Configuration& configuration) {
   const Want& want = plan_.request().want;
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
-  const double rates = want.velocity && configuration.rates_known ? 1 : unknown;
-  const double second_rates = want.acceleration ? rates : unknown;
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   DetailRow row;
   for (const LinkIndex link : links_) {
     const Frame& frame = configuration.links[link];
     row.angles.insert(row.angles.end(),
                       {std::atan2(frame.pose.direction.sin, frame.pose.direction.cos),
-                       rates * frame.velocity[2], second_rates * frame.acceleration[2]});
+                       want.velocity ? frame.velocity[2] : unknown,
+                       want.acceleration ? frame.acceleration[2] : unknown});
   }
   for (const PinnedDyad& dyad : dyads_) {
     row.transmissions.push_back(transmission_angle(dyad, values, configuration));

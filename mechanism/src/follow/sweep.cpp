@@ -1,10 +1,13 @@
 // Follows every branch over the range of a swept parameter, with events, circuits and rows.
 #include <algorithm>
+#include <assur/mechanism/followed_parts.hpp>
 #include <assur/mechanism/sweep.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
+#include <span>
+#include <tuple>
 
 #include "branch_tracker.hpp"
 #include "circuit_finder.hpp"
@@ -140,14 +143,12 @@ class Sweeper {
       (void)tracker_.stop();
       gap_ = kind;
     }
-    const bool is_explained = std::ssize(later_) > told;
-    const bool is_gap = !is_explained && kind == EventKind::degenerate && !is_told_before;
-    std::vector<int> gone_before = from.branches.items();
+    const std::vector<int> branches_before = from.branches.items();
     IntervalEnd to;
     if (after) {
       to = {after, tracker_.branches()};
     }
-    std::vector<int> gone_after = to.branches.items();
+    const std::vector<int> branches_after = to.branches.items();
     // In an interval longer than a step it is unknown on which side of an event a row lies.
     const bool is_wide =
         from.set && to.set && std::abs(to.set->parameter - from.set->parameter) > step_width();
@@ -157,9 +158,9 @@ class Sweeper {
     forget_outside(to);
     unfollowed_.emplace(std::move(from), std::move(to), solver_.length());
     std::vector<StepRow> rows = unfollowed_->rows(*set);
-    if (is_gap) {
-      later_.push_back(gap_event(kind, value, untold(std::move(gone_before), rows, {}),
-                                 untold(std::move(gone_after), rows, {})));
+    if (kind == EventKind::degenerate && !is_told_before) {
+      add_degenerate(*set, rows, branches_before, branches_after,
+                     {later_.begin() + told, later_.end()});
     }
     if (kind == EventKind::unresolved) {
       if (!before && !after) {  // The branches followed before are too far away to own these rows.
@@ -195,16 +196,36 @@ class Sweeper {
   void pass_later(int step, const Snapshot& set) {
     const std::vector<StepRow> rows = unfollowed_->rows(set);
     if (set.is_degenerate()) {
-      const auto place = std::ranges::find_if(later_, [&](const BranchEvent& event) {
-        return sense() * (event.parameter - set.parameter) >= 0;
-      });
-      if (place == later_.end() || place->parameter != set.parameter) {
-        later_.insert(place, gap_event(EventKind::degenerate, set.parameter,
-                                       untold(unfollowed_->branches_before(), rows, {}),
-                                       untold(unfollowed_->branches_after(), rows, {})));
-      }
+      const auto is_here = [&](const BranchEvent& event) {
+        return event.parameter == set.parameter;
+      };
+      const auto first = until(set.parameter);
+      add_degenerate(set, rows, unfollowed_->branches_before(), unfollowed_->branches_after(),
+                     {first, std::find_if_not(first, later_.end(), is_here)});
     }
     report(step, set, rows);
+  }
+
+  /// Adds the event of a degenerate step, which names the branches without a row there. If other
+  /// events explain the step, it is an event only for branches that have no configuration there, as
+  /// in a family.
+  void add_degenerate(const Snapshot& set, const std::vector<StepRow>& rows,
+                      const std::vector<int>& before, const std::vector<int>& after,
+                      std::span<const BranchEvent> events) {
+    const std::vector<int> unplaced = unfollowed_->branches_without_place(set);
+    const auto lost = [&](const std::vector<int>& branches) {
+      const std::vector<int> unexplained = untold(branches, rows, events);
+      std::vector<int> result = untold(branches, rows, {});
+      std::erase_if(result, [&](int branch) {
+        return std::ranges::find(unplaced, branch) == unplaced.end() &&
+               std::ranges::find(unexplained, branch) == unexplained.end();
+      });
+      return result;
+    };
+    BranchEvent event = gap_event(EventKind::degenerate, set.parameter, lost(before), lost(after));
+    if (events.empty() || !event.ended.empty() || !event.begun.empty()) {
+      later_.insert(until(set.parameter), std::move(event));
+    }
   }
 
   /// Whether the watched value lies between two steps; it is at a step to within rounding.
@@ -385,9 +406,17 @@ class Sweeper {
       }
     }
   }
-  /// Sets an event's residual, and returns the spread of the parameters there. If a formula has no
-  /// value at the event, the residual stays unknown and the spread is zero.
+  /// Sets an event's residual, forgets rates that are not known, and returns the spread of the
+  /// parameters there. If a formula has no value at the event, the residual stays unknown and the
+  /// spread is zero.
   [[nodiscard]] Spread complete(BranchEvent& event) {
+    if (!event.configuration.rates_known) {
+      for_each_followed(solver_.plan().mechanism(), solver_.plan().structure(), event.configuration,
+                        [](auto& part) {
+                          part.velocity *= std::numeric_limits<double>::quiet_NaN();
+                          part.acceleration *= std::numeric_limits<double>::quiet_NaN();
+                        });
+    }
     try {
       const Values& values = solver_.values_at(event.parameter);
       event.configuration.residual =
@@ -399,13 +428,19 @@ class Sweeper {
     }
   }
 
-  /// The first event at or after a value.
+  /// The first event at or after a value; they are in the order of the sweep.
   [[nodiscard]] std::vector<BranchEvent>::iterator until(double value) {
     return std::ranges::find_if(
         later_, [&](const BranchEvent& event) { return sense() * (event.parameter - value) >= 0; });
   }
 
   void report_events(int step, std::vector<BranchEvent>::iterator end) {
+    const auto rank = [&](const BranchEvent& event) {
+      return std::tuple(sense() * event.parameter, event.kind, event.ended, event.begun);
+    };
+    std::stable_sort(later_.begin(), end, [&](const BranchEvent& one, const BranchEvent& other) {
+      return rank(one) < rank(other);
+    });
     for (auto event = later_.begin(); event != end; ++event) {
       if (told_.keeps_own(*event)) {
         if (circuits_) {

@@ -54,6 +54,19 @@ std::vector<StepRow> UnfollowedInterval::rows(const Snapshot& step) const {
   return rows;
 }
 
+std::vector<int> UnfollowedInterval::branches_without_place(const Snapshot& step) const {
+  const Table<PointIndex, std::vector<const BranchAtEnd*>> leads = assigned(step);
+  std::vector<int> branches;
+  for (const BranchAtEnd& lead : leads_) {
+    if (std::ranges::none_of(leads, [&](const std::vector<const BranchAtEnd*>& there) {
+          return std::ranges::find(there, &lead) != there.end();
+        })) {
+      branches.push_back(lead.branch);
+    }
+  }
+  return branches;
+}
+
 /// The predicted place of a branch: on the cubic through the interval, or straight on from one end.
 Eigen::VectorXd UnfollowedInterval::expected(const BranchAtEnd& lead, double parameter) const {
   const ConfigurationPoint& start = lead.from->set->points[lead.point];
@@ -63,6 +76,16 @@ Eigen::VectorXd UnfollowedInterval::expected(const BranchAtEnd& lead, double par
   }
   const double step = after_.set->parameter - before_.set->parameter;
   return cubic(start, after_.set->points[lead.later], step, move / step);
+}
+
+/// A branch that meets up to k others moves as the root of order 1 to k + 1 of the way h, so that a
+/// tangent of slope x' predicts its place to k h |x'|. A branch at rest meets one that is apart
+/// from it by the least distance of its set at least.
+double UnfollowedInterval::reach(const BranchAtEnd& lead, double parameter) const {
+  const Snapshot& set = *lead.from->set;
+  return static_cast<double>(leads_.size()) * std::abs(parameter - set.parameter) *
+             set.points[lead.point].slope.norm() +
+         set.closest;
 }
 
 Table<PointIndex, std::vector<const UnfollowedInterval::BranchAtEnd*>> UnfollowedInterval::assigned(
@@ -100,7 +123,10 @@ Table<PointIndex, std::vector<const UnfollowedInterval::BranchAtEnd*>> Unfollowe
   });
   place(
       [&](const Choice& choice) { return result[choice.point].size() < room(step, choice.point); });
-  place([&](const Choice& choice) { return is_singular(step, choice.point); });
+  place([&](const Choice& choice) {
+    return is_singular(step, choice.point) &&
+           choice.distance <= reach(*choice.lead, step.parameter);
+  });
   return result;
 }
 

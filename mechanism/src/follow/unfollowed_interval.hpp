@@ -41,9 +41,11 @@ class UnfollowedInterval {
   [[nodiscard]] std::vector<int> branches_after() const { return told(after_); }
   /// The rows of a step. Each configuration is assigned to the branch with the nearest prediction,
   /// first to one that goes through. A singular configuration is then assigned to all branches
-  /// without one, since several may meet in it. Each branch through it has a row, with its own
-  /// rates where they are known; otherwise one row has the least of their numbers.
+  /// without one that may reach it, since several may meet in it. Each branch through it has a row,
+  /// with its own rates where they are known; otherwise one row has the least of their numbers.
   [[nodiscard]] std::vector<StepRow> rows(const Snapshot& step) const;
+  /// The branches that no configuration of a step is assigned to.
+  [[nodiscard]] std::vector<int> branches_without_place(const Snapshot& step) const;
 
  private:
   [[nodiscard]] static std::vector<int> told(const IntervalEnd& end) {
@@ -60,6 +62,7 @@ class UnfollowedInterval {
     [[nodiscard]] bool goes_through() const { return later.exists(); }
   };
   [[nodiscard]] Eigen::VectorXd expected(const BranchAtEnd& lead, double parameter) const;
+  [[nodiscard]] double reach(const BranchAtEnd& lead, double parameter) const;
   [[nodiscard]] double difference_of_rates(const BranchAtEnd& lead,
                                            const Configuration& state) const;
   [[nodiscard]] Table<PointIndex, std::vector<const BranchAtEnd*>> assigned(

@@ -59,8 +59,8 @@ std::vector<double> angles_of_links(const Plan& plan, const Configuration& confi
 void add_cells(const Plan& plan, const Spread& spread, const Configuration& configuration,
                const std::vector<double>& angles, const std::vector<double>& forces,
                std::string& row) {
-  if (!configuration.derivatives_known || !configuration.rates_known) {
-    add_cells(plan, spread, without_unknown(plan, configuration), angles, forces, row);
+  if (!configuration.derivatives_known) {
+    add_cells(plan, spread, without_derivatives(plan, configuration), angles, forces, row);
     return;
   }
   const Want& want = plan.request().want;
@@ -113,8 +113,7 @@ std::vector<double> told_forces(const Plan& plan, const Values& values,
   if (!plan.request().want.forces) {
     return {};
   }
-  std::vector<double> numbers =
-      force_numbers(plan, forces_of(values, without_unknown(plan, configuration)));
+  std::vector<double> numbers = force_numbers(plan, forces_of(values, configuration));
   const std::vector<double> deviations = force_deviations(plan, values, configuration);
   numbers.insert(numbers.end(), deviations.begin(), deviations.end());
   return numbers;

@@ -137,8 +137,8 @@ Json parts_json(const Configuration& configuration, const Report& report, const 
 }
 
 Json configuration_json(const Configuration& configuration, const Report& report) {
-  if (!configuration.derivatives_known || !configuration.rates_known) {
-    return configuration_json(without_unknown(report.plan, configuration), report);
+  if (!configuration.derivatives_known) {
+    return configuration_json(without_derivatives(report.plan, configuration), report);
   }
   const Want& want = report.plan.request().want;
   Json entry = parts_json(configuration, report, want);

@@ -264,8 +264,8 @@ std::string forces_text(const Configuration& configuration, const Report& report
 }
 
 std::string configuration_text(const Configuration& configuration, const Report& report) {
-  if (!configuration.derivatives_known || !configuration.rates_known) {
-    return configuration_text(without_unknown(report.plan, configuration), report);
+  if (!configuration.derivatives_known) {
+    return configuration_text(without_derivatives(report.plan, configuration), report);
   }
   const Want& want = report.plan.request().want;
   std::string text = tables_text(configuration, report, want) + forces_text(configuration, report);

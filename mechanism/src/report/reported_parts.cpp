@@ -6,21 +6,16 @@
 
 namespace assur::mechanism {
 
-Configuration without_unknown(const Plan& plan, Configuration configuration) {
+Configuration without_derivatives(const Plan& plan, Configuration configuration) {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
-  const double of_rates = configuration.rates_known ? 1 : unknown;
-  const double of_derivatives = configuration.derivatives_known ? 1 : unknown;
   const auto forget = [=](auto& item) {
-    item.velocity *= of_rates;
-    item.acceleration *= of_rates;
-    item.follows.first *= of_derivatives;
+    item.follows.first *= unknown;
     for (auto& second : item.follows.second) {
-      second *= of_derivatives;
+      second *= unknown;
     }
   };
   for_each_followed(plan.mechanism(), plan.structure(), configuration, forget);
   configuration.derivatives_known = true;
-  configuration.rates_known = true;
   return configuration;
 }
 

@@ -58,7 +58,7 @@ Answer ConfigurationWalk::walk(const Search& search, const Sought& sought, Solut
 
 /// Resets the walk and the result, whatever state the last position left them in.
 void ConfigurationWalk::begin(const Search& search, std::size_t number, Solution& result) {
-  placement_.begin();
+  placement_.begin(search.finds_motions);
   gaps_.begin(search.measures_gap);
   nearness_.begin();
   found_.begin(search, number, cuts_, result);

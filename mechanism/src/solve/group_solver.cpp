@@ -40,6 +40,17 @@ void add_product(const models::SmallMatrix& a, const std::vector<values::Dimensi
   }
 }
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Sets rates that are not all known to zero, and returns NaN for them, or one.
+double known_part(models::SmallVector& rates) {
+  if (rates.allFinite()) {
+    return 1;
+  }
+  rates.setZero();
+  return unknown;
+}
+
 /// The determinant by elimination with the largest pivot of each column, faster for small matrices
 /// than Eigen's function.
 double determinant_of(models::SmallMatrix& matrix) {
@@ -118,6 +129,8 @@ void GroupSolver::hold(const PlacedLinks& placed) {
       }
     }
   }
+  held_rates_ = known_part(query_.input_rate);
+  held_second_rates_ = held_rates_ * known_part(query_.input_second_rate);
 }
 
 const models::GroupAssemblies& GroupSolver::assemble() {
@@ -200,10 +213,22 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   if (values_.second_order()) {
     follow_twice(q);
   }
-  place_links(placed);
-  place_slides(q, first_slide, placed);
   const Precision precision = precision_of(model_, numbers().d, u_, q, query_, motion_);
   const Precision of_shape = precision_of_shape(numbers().firmness);
+  double rates = held_rates_;
+  double second_rates = held_second_rates_;
+  if (precision.regularity != Status::ok && is_at_rest()) {
+    motion_.rate.setZero();
+    motion_.second_rate.setZero();
+    motion_.velocities.setZero();
+    motion_.accelerations.setZero();
+  } else if (placed.forgets_unknown_rates) {
+    rates *= precision.derivatives_known && of_shape.derivatives_known ? 1 : unknown;
+    second_rates *= precision.second_rates_known && of_shape.second_rates_known ? 1 : unknown;
+  }
+  scale_rates(rates, second_rates);
+  place_links(placed);
+  place_slides(q, first_slide, placed);
   if (precision.regularity != Status::ok || of_shape.regularity != Status::ok) {
     placed.regularity = Status::near_singular;
   }
@@ -216,6 +241,22 @@ void GroupSolver::place(std::size_t configuration, std::size_t first_slide, Plac
   for (const LinkIndex link : numbers().links) {
     placed.displaced[link] = motion_.displaced;
   }
+}
+
+/// Whether neither the links that hold the group move nor its own dimensions change.
+bool GroupSolver::is_at_rest() const {
+  return held_second_rates_ == 1 && query_.input_rate.isZero(0) &&
+         query_.input_second_rate.isZero(0) && numbers().d_rate.isZero(0) &&
+         numbers().d_second_rate.isZero(0) &&
+         std::ranges::none_of(numbers().across,
+                              [](const values::AcrossAxis& axis) { return axis.moves(); });
+}
+
+void GroupSolver::scale_rates(double of_first, double of_second) {
+  motion_.rate *= of_first;
+  motion_.velocities *= of_first;
+  motion_.second_rate *= of_second;
+  motion_.accelerations *= of_second;
 }
 
 void GroupSolver::find_across(const models::FlatVariables& q) {
@@ -306,7 +347,6 @@ void GroupSolver::follow() {
 /// lose digits, so both are scaled to one length.
 void GroupSolver::follow_twice(const models::FlatVariables& q) {
   const Eigen::Index count = of_q_.first.cols();
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   const Eigen::MatrixXd blank = Eigen::MatrixXd::Constant(count, count, unknown);
   of_q_.second.assign(static_cast<std::size_t>(of_q_.first.rows()), blank);
   of_p_.second.assign(static_cast<std::size_t>(of_p_.first.rows()), blank);

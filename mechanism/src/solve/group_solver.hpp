@@ -31,6 +31,9 @@ struct PlacedLinks {
   bool derivatives_known = true;
   bool path_known = true;
   bool rates_known = true;
+  /// Whether velocities and accelerations that are not known to two digits are NaN. Sets between
+  /// the steps of a sweep keep them, to compare branches.
+  bool forgets_unknown_rates = true;
   /// Whether several motions may go through the configuration where its rates are not known.
   bool is_crossing = true;
   double residual = 0;
@@ -83,6 +86,8 @@ class GroupSolver {
   template <typename ValueOf, typename Add>
   void across(const ValueOf& value_of, const Add& add) const;
   void add_rates_of_links(const models::FlatVariables& q);
+  [[nodiscard]] bool is_at_rest() const;
+  void scale_rates(double of_first, double of_second);
   void follow();
   void follow_twice(const models::FlatVariables& q);
   void place_links(PlacedLinks& placed);
@@ -95,6 +100,7 @@ class GroupSolver {
   models::FlatVariables u_{};
   values::ParameterDerivatives of_u_;  ///< derivatives of the inputs
   models::MotionQuery query_;
+  double held_rates_ = 1, held_second_rates_ = 1;  ///< NaN where those of the inputs are not known
   models::GroupAssemblies found_;
   models::GroupMotion motion_;
   std::vector<AcrossColumns> across_;  ///< of each held axis; empty where nothing moves across it

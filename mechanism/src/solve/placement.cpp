@@ -56,7 +56,7 @@ Placement::Placement(const Values& values)
   placed_.slides.resize(slides);
 }
 
-void Placement::begin() {
+void Placement::begin(bool forgets_unknown_rates) {
   if (settled_) {
     *settled_ = given_;
   }
@@ -64,6 +64,7 @@ void Placement::begin() {
   placed_.derivatives_known = true;
   placed_.path_known = true;
   placed_.rates_known = true;
+  placed_.forgets_unknown_rates = forgets_unknown_rates;
   placed_.is_crossing = true;
   placed_.residual = 0;
   turns_.begin();

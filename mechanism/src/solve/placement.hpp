@@ -21,8 +21,8 @@ class Placement {
   Placement(const Placement&) = delete;
   Placement& operator=(const Placement&) = delete;
 
-  /// Resets the state of the last position.
-  void begin();
+  /// Resets the state of the last position. `forgets_unknown_rates`: see `PlacedLinks`.
+  void begin(bool forgets_unknown_rates);
   /// Evaluates the laws of drivers that are determined once `groups` groups are placed, and moves
   /// the links that they carry. Returns false where a law has no value; `flaw` then says why.
   [[nodiscard]] bool move_carried_links(std::size_t groups);

@@ -48,7 +48,7 @@ double SettledRedundancy::settle(PlacedLinks& placed) {
   }
   find_rates(poses, placed);
   for (SlideState& slide : placed.slides) {
-    if (slide.joint.exists()) {
+    if (slide.joint.exists() && !values_.plan().mechanism.driver_of(slide.joint).exists()) {
       slide = measured_slide(values_, placed.links, slide.joint);
     }
   }
@@ -70,6 +70,7 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   // to only one of several motions.
   placed.rates_known = placed.derivatives_known = false;
   if (!digits.are_known()) {
+    forget_rates(placed);
     return;
   }
   AllConstraints::Links links = placed.links;
@@ -81,6 +82,7 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   }
   const Eigen::MatrixXd open = constraints_.first_rates(links);
   if (!open.allFinite()) {
+    forget_rates(placed);
     return;
   }
   const Eigen::MatrixXd rates = -factors.solve(open);
@@ -109,6 +111,17 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
         placed.derivatives_known && !of_column(rates, open, column).contradict();
   }
   placed.path_known = placed.derivatives_known;
+}
+
+void SettledRedundancy::forget_rates(PlacedLinks& placed) const {
+  const Table<LinkIndex, bool> is_driven = values_.plan().structure.placed_by_drivers();
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  for (const LinkIndex link : values_.plan().mechanism.links().keys()) {
+    if (placed.forgets_unknown_rates && !is_driven[link]) {
+      placed.links[link].velocity.setConstant(unknown);
+      placed.links[link].acceleration.setConstant(unknown);
+    }
+  }
 }
 
 SettledRedundancy::Comparison SettledRedundancy::compared(const AllConstraints::Poses& first,

@@ -434,7 +434,7 @@ TEST(EmitMotions, AreNotToldWhereTheyAreNotDetermined) {
            printing("s.coefficients.links.two.first(2, 0)") +
            printing("s.coefficients.joints.D.first(0, 0)");
   });
-  EXPECT_EQ(printed.str(), "1\n1\nnan\nnan\n");
+  EXPECT_EQ(printed.str(), "1\n1\nnan\nnan\nend\n");
 }
 
 }  // namespace

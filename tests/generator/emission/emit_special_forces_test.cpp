@@ -89,13 +89,15 @@ Json guides(double phi) {
 
 struct Compared {
   int told = 0, unknown = 0;
+  int by_one = 0;    ///< numbers that only one of the two tells
   double worst = 0;  ///< difference in parts of the largest number
 };
 
 /// Expects that the same numbers are told, and are equal to the digits that the configuration
-/// keeps.
+/// keeps. With `may_differ_in_unknown`, a number that depends on rates that are not all known may
+/// be told by one alone: the two round differently, and decide differently where two digits end.
 Compared compare(const std::vector<NamedScene>& scenes, const std::string& scalar = "double",
-                 double most = 1e-9) {
+                 double most = 1e-9, bool may_differ_in_unknown = false) {
   Compared result;
   for_each_printed(
       scenes, printed_states(scenes, code_that_prints_forces, scalar),
@@ -108,7 +110,12 @@ Compared compare(const std::vector<NamedScene>& scenes, const std::string& scala
         }
         for (std::size_t place = 0; place < told.size(); ++place) {
           const bool is_known = std::isfinite(solved[place].value);
-          EXPECT_EQ(std::isfinite(told[place].value), is_known)
+          const bool is_told = std::isfinite(told[place].value);
+          if (is_told != is_known && may_differ_in_unknown && !configuration.rates_known) {
+            ++result.by_one;
+            continue;
+          }
+          EXPECT_EQ(is_told, is_known)
               << told[place].of << " " << told[place].value << " " << solved[place].value;
           ++(is_known ? result.told : result.unknown);
           if (is_known) {
@@ -117,8 +124,8 @@ Compared compare(const std::vector<NamedScene>& scenes, const std::string& scala
           }
         }
       });
-  std::cout << result.told << " numbers told, " << result.unknown
-            << " not determined; difference at most " << result.worst << "\n";
+  std::cout << result.told << " numbers told, " << result.unknown << " not determined, "
+            << result.by_one << " told by one alone; difference at most " << result.worst << "\n";
   EXPECT_GT(result.told, 0);
   EXPECT_LT(result.worst, most);
   return result;
@@ -243,7 +250,8 @@ TEST_P(EmitSpecialForcesOfScenes, OnALatticeAreThoseOfSolve) {
     }
   });
   std::cout << refused << " refused; ";
-  (void)compare(scenes);
+  const Compared compared = compare(scenes, "double", 1e-9, true);
+  EXPECT_LT(compared.by_one, 0.01 * compared.told);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ties, EmitSpecialForcesOfScenes,

@@ -663,6 +663,68 @@ TEST(Forces, ThatASpringWithoutADirectionDoesNotLoadAreTold) {
   EXPECT_NEAR(forces_in().ground.force.y(), -40, 1e-12);
 }
 
+/// With a moving driver nothing is known of the rates of a flat parallelogram, nor of its forces.
+/// The rates and forces of a crank and a dyad beside it are those without the parallelogram.
+TEST(Forces, OfGroupsBesideASingularOneAreTold) {
+  const Json both = Json::parse(R"({
+    "links": {"ground": {"A": [0, 0], "D": [4, 0], "E": [9, 0], "L": [12, 1]},
+      "one": {"A": [0, 0], "B": [2, 0]}, "bar": {"B": [0, 0], "C": [4, 0]},
+      "two": {"D": [0, 0], "C": [2, 0]}, "arm": {"E": [0, 0], "G": [1, 0]},
+      "p": {"G": [0, 0], "K": [2, 0]}, "q": {"K": [0, 0], "L": [2, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "one.A"]},
+      "B": {"type": "revolute", "between": ["one.B", "bar.B"]},
+      "C": {"type": "revolute", "between": ["bar.C", "two.C"]},
+      "D": {"type": "revolute", "between": ["ground.D", "two.D"]},
+      "E": {"type": "revolute", "between": ["ground.E", "arm.E"]},
+      "G": {"type": "revolute", "between": ["arm.G", "p.G"]},
+      "K": {"type": "revolute", "between": ["p.K", "q.K"]},
+      "L": {"type": "revolute", "between": ["ground.L", "q.L"]}},
+    "drivers": {"A": {"position": 0, "velocity": 1}, "E": {"position": 1, "velocity": 2}},
+    "masses": {"bar": {"mass": 2, "at": [1, 0.5], "inertia": 0.3},
+      "p": {"mass": 1, "at": [1, 0], "inertia": 0.1}},
+    "want": ["position", "velocity", "acceleration", "forces"]})");
+  Json alone = both;
+  for (const char* link : {"one", "bar", "two"}) {
+    alone["links"].erase(link);
+  }
+  for (const char* joint : {"A", "B", "C", "D"}) {
+    alone["joints"].erase(joint);
+  }
+  alone["drivers"].erase("A");
+  alone["masses"].erase("bar");
+  const auto forces_by_joint = [](const Solved& of, const Configuration& configuration) {
+    std::map<std::string, Eigen::Vector2d> result;
+    for (const mechanism::JointForce& force :
+         mechanism::forces_of(of.values, configuration).joints) {
+      result[force.joint] = force.on.back().second;
+    }
+    return result;
+  };
+  const Solved of_both = solved(both);
+  const Solved of_alone = solved(alone);
+  ASSERT_EQ(of_alone.configurations().size(), 2U);
+  std::size_t compared = 0;
+  for (const Configuration& configuration : of_both.configurations()) {
+    EXPECT_FALSE(configuration.link("bar").velocity.allFinite());
+    EXPECT_FALSE(configuration.link("bar").acceleration.allFinite());
+    const auto same = std::ranges::find_if(of_alone.configurations(), [&](const auto& one) {
+      return std::abs(one.link("p").pose.direction.sin -
+                      configuration.link("p").pose.direction.sin) < 1e-12;
+    });
+    ASSERT_NE(same, of_alone.configurations().end());
+    EXPECT_LT((configuration.link("q").acceleration - same->link("q").acceleration).norm(), 1e-12);
+    const auto told = forces_by_joint(of_both, configuration);
+    for (const auto& [joint, force] : forces_by_joint(of_alone, *same)) {
+      EXPECT_LT((told.at(joint) - force).norm(), 1e-11) << joint;
+      ++compared;
+    }
+    for (const char* joint : {"A", "B", "C", "D"}) {
+      EXPECT_FALSE(told.at(joint).allFinite()) << joint;
+    }
+  }
+  EXPECT_EQ(compared, 4 * of_both.configurations().size());
+}
+
 /// Three equal cranks carry a coupler: the third one shares a load that the equations do not
 /// divide.
 TEST(Forces, ThatRedundantJointsShareAreNotTold) {

@@ -30,7 +30,7 @@ inline double read_number(std::istream& printed) {
 
 /// Emits a solver for each scene, and runs all in one program: it prints the number of
 /// configurations of each scene, and the output of `code_of(scene)` for every state `s`. The
-/// solvers' struct is `S`, and `head` is in front of the functions.
+/// solvers' struct is `S`, and `head` is in front of the functions. Each scene ends with `end`.
 inline std::istringstream printed_states(const std::vector<NamedScene>& scenes,
                                          const std::function<std::string(const Solved&)>& code_of,
                                          const std::string& scalar = "double",
@@ -49,11 +49,12 @@ inline std::istringstream printed_states(const std::vector<NamedScene>& scenes,
     includes += "#include <assur/scenes/" + scene.name + ".hpp>\n";
     functions +=
         "void " + scene.name + "() {\n  using S = assur::scenes::" + emitted.solver +
-        ";\n  std::array<S::State<" + scalar +
+        ";\n  static std::array<S::State<" + scalar +
         ">, S::max_configurations> states;\n  const S::Solution found = S::solve(S::Drivers<" +
         scalar + ">{}, states);\n  std::printf(\"%d\\n\", found.count);\n" +
         "  for (int i = 0; i < found.count; ++i) {\n  const auto& s = " +
-        "states[static_cast<std::size_t>(i)];\n" + code_of(solved(scene.json)) + "  }\n}\n";
+        "states[static_cast<std::size_t>(i)];\n" + code_of(solved(scene.json)) +
+        "  }\n  std::puts(\"end\");\n}\n";
     calls += "  " + scene.name + "();\n";
   }
   const auto source =
@@ -67,7 +68,8 @@ inline std::istringstream printed_states(const std::vector<NamedScene>& scenes,
   return std::istringstream(read_file(directory.path() / "printed"));
 }
 
-/// Calls `compare` for every configuration of every scene, to read its printed numbers.
+/// Calls `compare` for every configuration of every scene, to read its printed numbers. A scene
+/// whose list may be incomplete is left out if the solver lists another number of configurations.
 inline void for_each_printed(
     const std::vector<NamedScene>& scenes, std::istringstream printed,
     const std::function<void(const Solved&, const Configuration&, std::istream&)>& compare) {
@@ -76,9 +78,16 @@ inline void for_each_printed(
     const Solved known = solved(scene.json);
     std::size_t count = 0;
     printed >> count;
-    ASSERT_EQ(count, known.configurations().size());
+    const bool are_as_many = count == known.configurations().size();
+    EXPECT_TRUE(are_as_many || !known.solution.incomplete.empty()) << count;
     for (const Configuration& configuration : known.configurations()) {
-      compare(known, configuration, printed);
+      if (are_as_many) {
+        compare(known, configuration, printed);
+      }
+    }
+    std::string word;
+    while (printed >> word && word != "end") {
+      EXPECT_FALSE(are_as_many) << "more is printed than read";
     }
   }
 }

@@ -6,9 +6,9 @@
 
 namespace assur::mechanism {
 
-/// The configuration with unknown rates and derivatives replaced by NaN. Those of links that
-/// drivers place are always known. In the result, `rates_known` and `derivatives_known` are true.
-[[nodiscard]] Configuration without_unknown(const Plan& plan, Configuration configuration);
+/// The configuration with its derivatives, which are unknown, replaced by NaN. Those of links that
+/// drivers place are always known. In the result, `derivatives_known` is true.
+[[nodiscard]] Configuration without_derivatives(const Plan& plan, Configuration configuration);
 
 /// The links that are reported, in the mechanism's order.
 [[nodiscard]] std::vector<LinkIndex> reported_links(const Plan& plan, bool with_ground);

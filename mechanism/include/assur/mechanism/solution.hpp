@@ -44,9 +44,9 @@ struct Configuration {
   std::vector<CountedAngle> counted;
   Table<OutputIndex, Point> outputs;
   Status regularity = Status::ok;  ///< ok or near_singular
-  /// Whether derivatives with respect to the parameters, and velocities and accelerations, are
-  /// known to two digits. Reports leave out unknown ones; accelerations may be NaN where velocities
-  /// are known.
+  /// Whether derivatives with respect to the parameters, and the velocities and accelerations of
+  /// all links, are known to two digits. Unknown rates are NaN, and those of other links may be
+  /// known; reports leave out unknown derivatives.
   bool derivatives_known = true;
   bool rates_known = true;
   /// Whether derivatives (with a sweep, those with respect to the swept parameter) are known to one
