@@ -341,6 +341,8 @@ class SceneEmitter {
     }
     view_.set("first_key", std::to_string(first_key_));
     view_.set("moving_list", text::joined(moving, ", "));
+    view_.set("first_moving", moving.empty() ? "Direction<Scalar>{}" : moving.front());
+    view_.set("turning_name", moving.empty() ? "" : " placed");
     view_.set("moving_count", std::to_string(moving.size()));
     view_.set("keyed_name", moving.empty() && keys.empty() ? "" : " placed");
     view_.set("slide_keys", keys);

@@ -215,10 +215,11 @@ class Sweeper {
     const std::vector<int> unplaced = unfollowed_->branches_without_place(set);
     const auto lost = [&](const std::vector<int>& branches) {
       const std::vector<int> unexplained = untold(branches, rows, events);
-      std::vector<int> result = untold(branches, rows, {});
+      std::vector<int> result = branches;
       std::erase_if(result, [&](int branch) {
-        return std::ranges::find(unplaced, branch) == unplaced.end() &&
-               std::ranges::find(unexplained, branch) == unexplained.end();
+        return std::ranges::find(rows, branch, &StepRow::branch) != rows.end() ||
+               (std::ranges::find(unplaced, branch) == unplaced.end() &&
+                std::ranges::find(unexplained, branch) == unexplained.end());
       });
       return result;
     };
@@ -345,8 +346,10 @@ class Sweeper {
   /// Takes the tracker's events. Events at a step up to rounding are moved to the step, and those
   /// beyond the ends of the sweep are not reported.
   void take_events() {
-    const double way = tracker_.running() ? solver_.way_of_size(*tracker_.current()) : 0;
-    const double nearest = at_a_step * way + rounding_of_steps();
+    if (tracker_.running() && tracker_.current()->count() > 0) {
+      way_of_size_ = solver_.way_of_size(*tracker_.current());
+    }
+    const double nearest = at_a_step * way_of_size_ + rounding_of_steps();
     for (BranchEvent& event : tracker_.take_events()) {
       const double middle = event.parameter;
       const double place = (event.parameter - solver_.from()) / range() * (count() - 1);
@@ -434,13 +437,19 @@ class Sweeper {
         later_, [&](const BranchEvent& event) { return sense() * (event.parameter - value) >= 0; });
   }
 
-  void report_events(int step, std::vector<BranchEvent>::iterator end) {
-    const auto rank = [&](const BranchEvent& event) {
-      return std::tuple(sense() * event.parameter, event.kind, event.ended, event.begun);
-    };
-    std::stable_sort(later_.begin(), end, [&](const BranchEvent& one, const BranchEvent& other) {
-      return rank(one) < rank(other);
+  /// Sorts the events at a step, which were found in the intervals on both sides of it.
+  void put_in_order(double value) {
+    const auto first = until(value);
+    const auto last = std::find_if(first, later_.end(), [value](const BranchEvent& event) {
+      return event.parameter != value;
     });
+    std::ranges::stable_sort(first, last, {}, [](const BranchEvent& event) {
+      return std::tuple(event.kind, event.ended, event.begun);
+    });
+  }
+
+  void report_events(int step, std::vector<BranchEvent>::iterator end) {
+    put_in_order(value_at(std::max(step, 0)));
     for (auto event = later_.begin(); event != end; ++event) {
       if (told_.keeps_own(*event)) {
         if (circuits_) {
@@ -458,6 +467,7 @@ class Sweeper {
   const SweepObserver& observer_;
   SnapshotSolver solver_;
   BranchTracker tracker_;
+  double way_of_size_ = 0;          ///< at the last set with configurations
   std::vector<BranchEvent> later_;  ///< not yet reported
   std::set<int> outside_;           ///< numbers of branches that are not within the sweep
   std::set<int> unresolved_;        ///< numbers of branches that have no rows in the interval

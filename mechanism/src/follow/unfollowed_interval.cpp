@@ -78,14 +78,18 @@ Eigen::VectorXd UnfollowedInterval::expected(const BranchAtEnd& lead, double par
   return cubic(start, after_.set->points[lead.later], step, move / step);
 }
 
-/// A branch that meets up to k others moves as the root of order 1 to k + 1 of the way h, so that a
-/// tangent of slope x' predicts its place to k h |x'|. A branch at rest meets one that is apart
-/// from it by the least distance of its set at least.
+/// A branch that meets k others moves as the root of order 1 to k + 1 of the way h, so that a
+/// tangent of slope x' predicts its place to k h |x'|. One that rests meets branches that move. The
+/// place where they meet is known to half of the digits.
 double UnfollowedInterval::reach(const BranchAtEnd& lead, double parameter) const {
+  static const double half_of_digits = std::sqrt(std::numeric_limits<double>::epsilon());
   const Snapshot& set = *lead.from->set;
-  return static_cast<double>(leads_.size()) * std::abs(parameter - set.parameter) *
-             set.points[lead.point].slope.norm() +
-         set.closest;
+  double fastest = 0;
+  for (const ConfigurationPoint& point : set.points) {
+    fastest = std::max(fastest, point.slope.norm());
+  }
+  return static_cast<double>(leads_.size()) * std::abs(parameter - set.parameter) * fastest +
+         16 * half_of_digits;
 }
 
 Table<PointIndex, std::vector<const UnfollowedInterval::BranchAtEnd*>> UnfollowedInterval::assigned(
@@ -99,8 +103,9 @@ Table<PointIndex, std::vector<const UnfollowedInterval::BranchAtEnd*>> Unfollowe
   for (const BranchAtEnd& lead : leads_) {
     const Eigen::VectorXd place = expected(lead, step.parameter);
     for (const PointIndex point : step.points.keys()) {
-      if (step.configuration(point).is_consistent) {
-        choices.push_back({(step.points[point].at - place).norm(), &lead, point});
+      const double distance = (step.points[point].at - place).norm();
+      if (step.configuration(point).is_consistent && distance <= reach(lead, step.parameter)) {
+        choices.push_back({distance, &lead, point});
       }
     }
   }
@@ -123,10 +128,7 @@ Table<PointIndex, std::vector<const UnfollowedInterval::BranchAtEnd*>> Unfollowe
   });
   place(
       [&](const Choice& choice) { return result[choice.point].size() < room(step, choice.point); });
-  place([&](const Choice& choice) {
-    return is_singular(step, choice.point) &&
-           choice.distance <= reach(*choice.lead, step.parameter);
-  });
+  place([&](const Choice& choice) { return is_singular(step, choice.point); });
   return result;
 }
 
@@ -136,7 +138,7 @@ void UnfollowedInterval::add_rows(const Snapshot& step, PointIndex point,
   const Configuration& here = step.configuration(point);
   const auto first = rows.size();
   // The redundant constraints permit only one of several motions.
-  if (here.rates_known && leads.size() > 1 && !here.plan->redundant.empty()) {
+  if (here.rates_known && here.path_known && leads.size() > 1 && !here.plan->redundant.empty()) {
     const auto rank = [&](const BranchAtEnd* lead) {
       return std::pair(difference_of_rates(*lead, here), lead->branch);
     };

@@ -39,10 +39,11 @@ class UnfollowedInterval {
   /// The numbers of the branches that lead into it, and of those that lead out of it.
   [[nodiscard]] std::vector<int> branches_before() const { return told(before_); }
   [[nodiscard]] std::vector<int> branches_after() const { return told(after_); }
-  /// The rows of a step. Each configuration is assigned to the branch with the nearest prediction,
-  /// first to one that goes through. A singular configuration is then assigned to all branches
-  /// without one that may reach it, since several may meet in it. Each branch through it has a row,
-  /// with its own rates where they are known; otherwise one row has the least of their numbers.
+  /// The rows of a step. Each configuration is assigned to the branch with the nearest prediction
+  /// that may reach it, first to one that goes through. A singular configuration is then assigned
+  /// to all such branches without one, since several may meet in it. Each branch through it has a
+  /// row, with its own rates where they are known; otherwise one row has the least of their
+  /// numbers.
   [[nodiscard]] std::vector<StepRow> rows(const Snapshot& step) const;
   /// The branches that no configuration of a step is assigned to.
   [[nodiscard]] std::vector<int> branches_without_place(const Snapshot& step) const;

@@ -121,9 +121,13 @@ bool Placement::settle(const ReadingDriver& reading) {
     flaw_ = error.what();
     return false;
   }
-  if (!values_.motion(reading.driver).is_known()) {
+  const JointMotion& motion = values_.motion(reading.driver);
+  if (!motion.is_known()) {
     placed_.regularity = Status::near_singular;
-    placed_.derivatives_known = placed_.path_known = placed_.rates_known = false;
+    placed_.rates_known = false;
+  }
+  if (!motion.has_known_derivatives()) {
+    placed_.derivatives_known = placed_.path_known = false;
   }
   return true;
 }

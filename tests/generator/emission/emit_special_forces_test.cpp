@@ -89,15 +89,17 @@ Json guides(double phi) {
 
 struct Compared {
   int told = 0, unknown = 0;
-  int by_one = 0;    ///< numbers that only one of the two tells
-  double worst = 0;  ///< difference in parts of the largest number
+  int by_one = 0;             ///< numbers that only one of the two tells
+  double worst = 0;           ///< difference in parts of the largest number
+  double worst_singular = 0;  ///< the same in doubtful configurations
 };
 
 /// Expects that the same numbers are told, and are equal to the digits that the configuration
-/// keeps. With `may_differ_in_unknown`, a number that depends on rates that are not all known may
-/// be told by one alone: the two round differently, and decide differently where two digits end.
+/// keeps. With `is_lattice`, numbers of a configuration that is not regular are equal to two
+/// digits, and may be told by one alone: the two round differently, and decide differently where
+/// two digits end.
 Compared compare(const std::vector<NamedScene>& scenes, const std::string& scalar = "double",
-                 double most = 1e-9, bool may_differ_in_unknown = false) {
+                 double most = 1e-9, bool is_lattice = false) {
   Compared result;
   for_each_printed(
       scenes, printed_states(scenes, code_that_prints_forces, scalar),
@@ -111,7 +113,8 @@ Compared compare(const std::vector<NamedScene>& scenes, const std::string& scala
         for (std::size_t place = 0; place < told.size(); ++place) {
           const bool is_known = std::isfinite(solved[place].value);
           const bool is_told = std::isfinite(told[place].value);
-          if (is_told != is_known && may_differ_in_unknown && !configuration.rates_known) {
+          const bool is_doubtful = is_lattice && configuration.regularity != Status::ok;
+          if (is_told != is_known && is_doubtful) {
             ++result.by_one;
             continue;
           }
@@ -119,8 +122,8 @@ Compared compare(const std::vector<NamedScene>& scenes, const std::string& scala
               << told[place].of << " " << told[place].value << " " << solved[place].value;
           ++(is_known ? result.told : result.unknown);
           if (is_known) {
-            result.worst =
-                largest(result.worst, std::abs(told[place].value - solved[place].value) / unit);
+            double& worst = is_doubtful ? result.worst_singular : result.worst;
+            worst = largest(worst, std::abs(told[place].value - solved[place].value) / unit);
           }
         }
       });

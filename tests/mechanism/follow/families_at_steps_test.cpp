@@ -20,7 +20,8 @@ namespace {
 
 using Events = std::vector<std::string>;
 
-/// Events at the value 0, and the places of each branch, in units of `unit`, at every step.
+/// Events at the value 0 to within rounding, and the places of each branch, in units of `unit`, at
+/// every step.
 struct Swept {
   Events events;
   std::map<int, std::map<double, Eigen::VectorXd>> places;
@@ -37,7 +38,7 @@ Swept swept(SceneMaker::Json scene, double unit, double from, double to, int cou
   Swept result;
   const auto record = [&](const mechanism::SweepRecord& at) {
     if (!at.event.empty()) {
-      if (at.parameter == 0) {
+      if (std::abs(at.parameter) < 1e-13) {
         result.events.push_back(at.event);
       }
       return;
@@ -104,6 +105,42 @@ SceneMaker::Json lever_and_parallelogram(double unit) {
       .scene();
 }
 
+/// A four-bar whose point C passes (5, 3) or (5, -3) with the crank on the ground, and a dyad of
+/// equal legs from C to (5, 3): it turns freely at the first place, and is stretched at the second.
+SceneMaker::Json family_beside_a_birth(double unit) {
+  return SceneMaker()
+      .parameter("phi", 0.0)
+      .point("ground", "O", 0, 0)
+      .point("ground", "D", 9 * unit, 0)
+      .point("ground", "E", 5 * unit, 3 * unit)
+      .bar("crank", {{"O", 0.0}, {"B", unit}})
+      .bar("coupler", {{"B", 0.0}, {"C", 5 * unit}})
+      .bar("rocker", {{"D", 0.0}, {"C", 5 * unit}})
+      .bar("first", {{"C", 0.0}, {"F", 3 * unit}})
+      .bar("second", {{"E", 0.0}, {"F", 3 * unit}})
+      .drive("O", "phi", 1, 0)
+      .scene();
+}
+
+/// A stretched dyad, and two more that each of its configurations carries.
+SceneMaker::Json stretched_with_two_more(double unit) {
+  return SceneMaker()
+      .parameter("phi", 0.0)
+      .point("ground", "O", 0, 0)
+      .point("ground", "G", -3 * unit, -4 * unit)
+      .point("ground", "H", 4 * unit, -4 * unit)
+      .point("ground", "K", -unit, 3 * unit)
+      .bar("crank", {{"O", 0.0}, {"B", unit}})
+      .bar("u0", {{"B", 0.0}, {"C", std::sqrt(8.0) * unit}})
+      .bar("v0", {{"G", 0.0}, {"C", std::sqrt(8.0) * unit}})
+      .bar("u1", {{"B", 0.0}, {"E", 3 * unit}})
+      .bar("v1", {{"H", 0.0}, {"E", std::sqrt(10.0) * unit}})
+      .bar("u2", {{"C", 0.0}, {"F", std::sqrt(2.0) * unit}})
+      .bar("v2", {{"K", 0.0}, {"F", std::sqrt(37.0) * unit}})
+      .drive("O", "phi", 1, 0)
+      .scene();
+}
+
 class FamiliesAtSteps : public testing::TestWithParam<int> {
  protected:
   /// Checks a scene in one unit for each listing, and by `ctest -L long` in all.
@@ -155,6 +192,30 @@ TEST_P(FamiliesAtSteps, AreEventsBesideCrossings) {
       EXPECT_EQ(found.rows_at(0), 0);
       EXPECT_EQ(found.rows_at(0.1), 4);
     }
+  });
+}
+
+TEST_P(FamiliesAtSteps, HaveNoRowsBesideABirth) {
+  in_units(family_beside_a_birth, [](const SceneMaker::Json& scene, double unit) {
+    const Swept found = swept(scene, unit, -0.1, 0.1, 21);
+    EXPECT_EQ(found.events, (Events{"birth 3 4", "degenerate 1 2 / 1 2"}));
+    EXPECT_EQ(found.rows_at(0), 1);
+    EXPECT_TRUE(found.places.at(3).contains(0));
+    const Swept ends = swept(scene, unit, -0.1, 0, 21);
+    EXPECT_EQ(ends.events, Events{"degenerate 1 2 /"});
+    EXPECT_TRUE(ends.places.at(0).contains(0)) << "a configuration on no branch";
+    const Swept back = swept(scene, unit, 0.1, -0.1, 21);
+    EXPECT_LT(longest_jump(back), 0.3);
+  });
+}
+
+/// All branches end at the last step, where rounding places their folds on either side of it.
+TEST_P(FamiliesAtSteps, AreNotFoldsAtTheEnd) {
+  in_units(stretched_with_two_more, [](const SceneMaker::Json& scene, double unit) {
+    const Swept found = swept(scene, unit, -0.1, 0, 201);
+    EXPECT_EQ(found.events, (Events{"fold 1 2", "fold 3 5", "fold 4 6", "fold 7 8"}));
+    EXPECT_EQ(found.rows_at(0), 4);
+    EXPECT_LT(longest_jump(found), 0.5);
   });
 }
 

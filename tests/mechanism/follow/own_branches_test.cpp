@@ -50,7 +50,7 @@ SceneMaker::Json doubled(double crank, double coupler, double rocker, double gro
 
 /// Three equal cranks on one coupler, and a four-bar beside them. Without the third crank there
 /// would be twice as many branches; they meet where the cranks lie on the ground.
-SceneMaker::Json three_cranks() {
+SceneMaker::Json three_cranks(double velocity = 1) {
   return SceneMaker()
       .parameter("phi", 0.0)
       .bar("ground", {{"A0", 0.0}, {"A1", 1.0}, {"A2", 2.0}, {"E", 20.0}, {"H", 23.0}})
@@ -61,15 +61,17 @@ SceneMaker::Json three_cranks() {
       .bar("other_crank", {{"E", 0.0}, {"F", 2.0}})
       .bar("other_coupler", {{"F", 0.0}, {"G", 3.0}})
       .bar("other_rocker", {{"H", 0.0}, {"G", 2.0}})
-      .drive("A0", "phi", 1, 0)
-      .drive("E", "phi", 1, 0)
+      .drive("A0", "phi", velocity, 0)
+      .drive("E", "phi", velocity, 0)
       .scene();
 }
 
 TEST(OwnBranches, CrossWithoutOthers) {
-  const Swept found = swept(three_cranks(), -1, 1, 5);
-  EXPECT_EQ(found.events, Events{"crossing 1 2"});
-  EXPECT_EQ(found.rows, (std::map<int, int>{{1, 5}, {2, 5}}));
+  for (const double velocity : {1, 0}) {
+    const Swept found = swept(three_cranks(velocity), -1, 1, 5);
+    EXPECT_EQ(found.events, Events{"crossing 1 2"});
+    EXPECT_EQ(found.rows, (std::map<int, int>{{1, 5}, {2, 5}})) << "velocity " << velocity;
+  }
 }
 
 TEST(OwnBranches, BecomeDegenerateWithoutOthers) {

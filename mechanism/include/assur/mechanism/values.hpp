@@ -33,9 +33,11 @@ struct JointMotion {
   double velocity = 0;
   double acceleration = 0;
 
+  [[nodiscard]] bool has_known_derivatives() const {
+    return position.derivatives().allFinite() && position.hessian().allFinite();
+  }
   [[nodiscard]] bool is_known() const {
-    return position.derivatives().allFinite() && position.hessian().allFinite() &&
-           std::isfinite(velocity) && std::isfinite(acceleration);
+    return has_known_derivatives() && std::isfinite(velocity) && std::isfinite(acceleration);
   }
 };
 

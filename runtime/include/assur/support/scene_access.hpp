@@ -209,6 +209,10 @@ struct Access {
   }
   /// The residual of the redundant constraints, divided by the largest coordinate.
   [[nodiscard]] static Scalar gap(const Placed& placed) { return Parts::redundant_gap(placed); }
+  /// The direction of the first link of the key, in the ground's frame.
+  [[nodiscard]] static Direction<Scalar> first_direction(const Placed& placed) {
+    return Parts::first_direction(placed);
+  }
   /// Closes all constraints together. Returns whether they hold, and agree in the rates that are
   /// known.
   [[nodiscard]] static bool settle(Placed& placed) { return Parts::settle(placed); }

@@ -107,7 +107,13 @@ class Search {
     constexpr Scalar near = std::is_same_v<Scalar, float> ? Scalar(0.1) : Scalar(0.01);
     constexpr Scalar much_more = 16;
     constexpr Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();
+    // Keys are the same in a mechanism that is turned as a whole, and so is not its first link.
     const auto are_near = [&](std::size_t one, std::size_t other, Scalar away) {
+      const Direction<Scalar> turn =
+          turned(first_directions_[one], reversed(first_directions_[other]));
+      if (!(turn.cos > 0 && std::abs(turn.sin) < away)) {
+        return false;
+      }
       for (std::size_t place = Own::first_key; place < Own::lengths_from; ++place) {
         if (!(std::abs(keys_[one][place] - keys_[other][place]) < away)) {
           return false;
@@ -133,6 +139,7 @@ class Search {
         states_[one] = states_[last];
         keys_[one] = keys_[last];
         gaps_[one] = gaps_[last];
+        first_directions_[one] = first_directions_[last];
         if constexpr (Keeps) {
           kept_[one] = kept_[last];
         }
@@ -204,6 +211,7 @@ class Search {
     Own::key(placed, keys_[slot]);
     if constexpr (Own::has_gaps) {
       gaps_[slot] = Own::gap(by_groups);
+      first_directions_[slot] = Own::first_direction(placed);
     }
     if constexpr (Keeps) {
       kept_[slot] = current_;
@@ -302,6 +310,7 @@ class Search {
   std::array<std::array<Set, capacity / 64 + 1>, group_count> counted_{};  ///< families
   std::array<Configurations, Keeps ? capacity : 0> kept_;
   std::array<Scalar, Own::has_gaps ? capacity : 0> gaps_;
+  std::array<Direction<Scalar>, Own::has_gaps ? capacity : 0> first_directions_;
 };
 
 }  // namespace assur::support
