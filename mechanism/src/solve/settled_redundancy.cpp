@@ -69,10 +69,6 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   // Where all constraints together do not determine the rates, those of the remaining ones belong
   // to only one of several motions.
   placed.rates_known = placed.derivatives_known = false;
-  if (!digits.are_known()) {
-    forget_rates(placed);
-    return;
-  }
   AllConstraints::Links links = placed.links;
   const auto parameters = static_cast<Eigen::Index>(values_.columns().size());
   for (const LinkIndex link : values_.plan().mechanism.links().keys()) {
@@ -81,8 +77,11 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
     links[link].follows.set_zero(parameters, values_.second_order());
   }
   const Eigen::MatrixXd open = constraints_.first_rates(links);
-  if (!open.allFinite()) {
-    forget_rates(placed);
+  // With nothing that moves, the links are at rest even where rates are not determined.
+  const bool is_at_rest =
+      open.col(0).isZero(0) && constraints_.second_rates(links).col(0).isZero(0);
+  if (!digits.are_known() || !open.allFinite()) {
+    forget_rates(is_at_rest, placed);
     return;
   }
   const Eigen::MatrixXd rates = -factors.solve(open);
@@ -95,10 +94,20 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   const Eigen::MatrixXd open_twice = constraints_.second_rates(links);
   const bool is_known_twice = digits.are_all_known() && open_twice.allFinite();
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  const Eigen::MatrixXd twice =
-      is_known_twice ? Eigen::MatrixXd(-factors.solve(open_twice))
-                     : Eigen::MatrixXd::Constant(rates.rows(), open_twice.cols(), unknown);
+  Eigen::MatrixXd twice = is_known_twice
+                              ? Eigen::MatrixXd(-factors.solve(open_twice))
+                              : Eigen::MatrixXd::Constant(rates.rows(), open_twice.cols(), unknown);
+  if (is_at_rest) {
+    twice.col(0).setZero();
+  }
   constraints_.add_second(twice, links);
+  const Table<LinkIndex, bool> is_driven = values_.plan().structure.placed_by_drivers();
+  for (const LinkIndex link : values_.plan().mechanism.links().keys()) {
+    if (is_driven[link]) {  // their motion is known everywhere
+      links[link].velocity = placed.links[link].velocity;
+      links[link].acceleration = placed.links[link].acceleration;
+    }
+  }
   placed.links = std::move(links);
   placed.regularity = is_known_twice ? digits.regularity() : Status::near_singular;
   const support::SolvedRates<double> first = of_column(rates, open, 0);
@@ -113,13 +122,13 @@ void SettledRedundancy::find_rates(const AllConstraints::Poses& poses, PlacedLin
   placed.path_known = placed.derivatives_known;
 }
 
-void SettledRedundancy::forget_rates(PlacedLinks& placed) const {
+void SettledRedundancy::forget_rates(bool is_at_rest, PlacedLinks& placed) const {
   const Table<LinkIndex, bool> is_driven = values_.plan().structure.placed_by_drivers();
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double rate = is_at_rest ? 0 : std::numeric_limits<double>::quiet_NaN();
   for (const LinkIndex link : values_.plan().mechanism.links().keys()) {
     if (placed.forgets_unknown_rates && !is_driven[link]) {
-      placed.links[link].velocity.setConstant(unknown);
-      placed.links[link].acceleration.setConstant(unknown);
+      placed.links[link].velocity.setConstant(rate);
+      placed.links[link].acceleration.setConstant(rate);
     }
   }
 }

@@ -41,7 +41,7 @@ class SettledRedundancy {
  private:
   explicit SettledRedundancy(const Values& values) : values_(values), constraints_(values) {}
   void find_rates(const AllConstraints::Poses& poses, PlacedLinks& placed);
-  void forget_rates(PlacedLinks& placed) const;
+  void forget_rates(bool is_at_rest, PlacedLinks& placed) const;
   [[nodiscard]] double missed(const AllConstraints::Poses& links) const;
 
   const Values& values_;

@@ -725,6 +725,39 @@ TEST(Forces, OfGroupsBesideASingularOneAreTold) {
   EXPECT_EQ(compared, 4 * of_both.configurations().size());
 }
 
+/// Beside the flat position of three parallel cranks the rates of the beam are not known, but those
+/// of the driven crank are, which alone has a mass; at rest all are zero.
+TEST(Forces, OfADrivenLinkAreToldBesideAChangePoint) {
+  Json scene = Json::parse(R"({
+    "links": {"ground": {"A": [0, 0], "B": [2, 0], "C": [3, 0]},
+      "one": {"A": [0, 0], "D": [1, 0]}, "two": {"B": [0, 0], "E": [1, 0]},
+      "three": {"C": [0, 0], "F": [1, 0]}, "beam": {"D": [0, 0], "E": [2, 0], "F": [3, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "one.A"]},
+      "B": {"type": "revolute", "between": ["ground.B", "two.B"]},
+      "C": {"type": "revolute", "between": ["ground.C", "three.C"]},
+      "D": {"type": "revolute", "between": ["one.D", "beam.D"]},
+      "E": {"type": "revolute", "between": ["two.E", "beam.E"]},
+      "F": {"type": "revolute", "between": ["three.F", "beam.F"]}},
+    "drivers": {"A": {"position": 0, "velocity": 1}}, "gravity": [0, -9.81],
+    "masses": {"one": {"mass": 2, "at": [0.3, 0]}},
+    "want": ["position", "velocity", "acceleration", "forces"]})");
+  for (const double velocity : {1.0, 0.0}) {
+    for (const double phi : {1e-4, 1e-5, 1e-6, 0.0, -1e-5}) {
+      SCOPED_TRACE(testing::Message() << velocity << " at " << phi);
+      scene["drivers"]["A"]["position"] = phi;
+      scene["drivers"]["A"]["velocity"] = velocity;
+      const Solved found = solved(scene);
+      ASSERT_FALSE(found.configurations().empty());
+      for (const Configuration& configuration : found.configurations()) {
+        const mechanism::Forces forces = mechanism::forces_of(found.values, configuration);
+        EXPECT_NEAR(forces.efforts[mechanism::DriverIndex(0)], 0.6 * 9.81 * std::cos(phi), 1e-9);
+        EXPECT_NEAR(forces.ground.force.x(), 0.6 * velocity * std::cos(phi), 1e-9);
+        EXPECT_TRUE(velocity > 0 || configuration.link("beam").acceleration.isZero(0));
+      }
+    }
+  }
+}
+
 /// Three equal cranks carry a coupler: the third one shares a load that the equations do not
 /// divide.
 TEST(Forces, ThatRedundantJointsShareAreNotTold) {
