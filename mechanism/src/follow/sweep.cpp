@@ -124,7 +124,7 @@ class Sweeper {
     }
     IntervalEnd from;
     if (tracker_.running()) {
-      from = {tracker_.current(), tracker_.branches()};
+      from = {with_all_rates(tracker_.current()), tracker_.branches()};
     }
     take_events();
     const std::ptrdiff_t told = until(value) - later_.begin();
@@ -169,6 +169,16 @@ class Sweeper {
       add_unresolved(step, value, rows);
     }
     report(step, *set, rows);
+  }
+
+  /// The set with rates that are not known to two digits too, which tell branches apart; sets at
+  /// steps have forgotten them.
+  [[nodiscard]] SnapshotPointer with_all_rates(const SnapshotPointer& set) {
+    if (std::ranges::all_of(set->solution.configurations, &Configuration::rates_known)) {
+      return set;
+    }
+    const SnapshotPointer same = solver_.at(set->parameter);
+    return same->count() == set->count() ? same : set;
   }
 
   /// Adds an unresolved event where no set can be followed beyond the first or last step, for the
