@@ -171,8 +171,8 @@ class Sweeper {
     report(step, *set, rows);
   }
 
-  /// The set with rates that are not known to two digits too, which tell branches apart; sets at
-  /// steps have forgotten them.
+  /// The set with all its rates. Those with fewer than two digits still tell branches apart, but
+  /// are NaN in the sets at steps.
   [[nodiscard]] SnapshotPointer with_all_rates(const SnapshotPointer& set) {
     if (std::ranges::all_of(set->solution.configurations, &Configuration::rates_known)) {
       return set;

@@ -6,8 +6,8 @@
 
 namespace assur::mechanism {
 
-/// The configuration with its derivatives, which are unknown, replaced by NaN. Those of links that
-/// drivers place are always known. In the result, `derivatives_known` is true.
+/// A copy of the configuration in which all derivatives are NaN, except those of links that drivers
+/// place. In the copy, `derivatives_known` is true.
 [[nodiscard]] Configuration without_derivatives(const Plan& plan, Configuration configuration);
 
 /// The links that are reported, in the mechanism's order.

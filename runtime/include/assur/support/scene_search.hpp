@@ -107,7 +107,7 @@ class Search {
     constexpr Scalar near = std::is_same_v<Scalar, float> ? Scalar(0.1) : Scalar(0.01);
     constexpr Scalar much_more = 16;
     constexpr Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();
-    // Keys are the same in a mechanism that is turned as a whole, and so is not its first link.
+    // Turning all links together changes no key, but the direction of the first link.
     const auto are_near = [&](std::size_t one, std::size_t other, Scalar away) {
       const Direction<Scalar> turn =
           turned(first_directions_[one], reversed(first_directions_[other]));
