@@ -262,7 +262,7 @@ class DerivationGatherer {
         program::symbol_order(equations_, equations_.vocabulary, quantities, given);
     std::vector<program::Result> results;
     const auto add = [&](const GiNaC::ex& value) {
-      results.push_back({std::to_string(results.size()), value});
+      results.push_back({program::entry("results", results.size()), value});
     };
     std::ranges::for_each(forces.generalised, add);
     result.of_loads = program::Program(order, quantities, results).count();

@@ -38,6 +38,13 @@ std::vector<equations::NamedQuantity> needed(
 
 }  // namespace
 
+Place entry(const std::string& vector, std::size_t row) {
+  return {vector, "", static_cast<int>(row), -1};
+}
+Place entry(const std::string& matrix, std::size_t row, std::size_t column) {
+  return {matrix, "", static_cast<int>(row), static_cast<int>(column)};
+}
+
 Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQuantity>& quantities,
                  const std::vector<Result>& results,
                  const std::vector<equations::NamedQuantity>& known)
@@ -48,7 +55,7 @@ Program::Program(const SymbolOrder& order, const std::vector<equations::NamedQua
   for (const equations::NamedQuantity& quantity : named) {
     roots.push_back(graph_.add(polynomial(quantity.definition, order)));
   }
-  std::vector<std::string> targets;
+  std::vector<Place> targets;
   for (const Result& result : results) {
     const Polynomial value = polynomial(result.value, order);
     if (!value.empty()) {
@@ -281,7 +288,7 @@ std::vector<std::string> Program::reads() const {
   return names;
 }
 
-Program Program::part(const std::set<std::string>& targets) const {
+Program Program::part(const std::set<Place>& targets) const {
   Program result = *this;
   std::erase_if(result.assignments_,
                 [&](const Assignment& assignment) { return !targets.contains(assignment.target); });
@@ -311,7 +318,7 @@ Program Program::filtered(const Program& other, bool in_both) const {
   for (const Step& step : other.steps_) {
     names.insert(step.name);
   }
-  std::set<std::string> targets;
+  std::set<Place> targets;
   for (const Assignment& assignment : other.assignments_) {
     targets.insert(assignment.target);
   }

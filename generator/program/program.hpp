@@ -1,6 +1,7 @@
 // Straight-line programs for named quantities and results, with each step computed once.
 #pragma once
 
+#include <compare>
 #include <set>
 #include <string>
 #include <vector>
@@ -10,9 +11,21 @@
 
 namespace assur::generator::program {
 
+/// The place of a number: an argument of a function, or an entry or a member of it.
+struct Place {
+  std::string argument;
+  std::string member;         ///< `.direction.cos` of a frame; empty for entries
+  int row = -1, column = -1;  ///< of an entry; a vector has no columns
+  [[nodiscard]] bool is_entry() const { return row >= 0; }
+  friend auto operator<=>(const Place&, const Place&) = default;
+};
+/// An entry of a vector or a matrix.
+[[nodiscard]] Place entry(const std::string& vector, std::size_t row);
+[[nodiscard]] Place entry(const std::string& matrix, std::size_t row, std::size_t column);
+
 /// One result of a program: its target and its value.
 struct Result {
-  std::string target;  ///< `jacobian(0, 1)`
+  Place target;
   GiNaC::ex value;
 };
 
@@ -28,7 +41,7 @@ class Program {
     std::string degeneracy;  ///< the meaning of a value without a reciprocal or root
   };
   struct Assignment {
-    std::string target;
+    Place target;
     ScaledNode value;
   };
 
@@ -40,7 +53,7 @@ class Program {
           const std::vector<equations::NamedQuantity>& known = {});
 
   /// The part that assigns to these targets, with the steps that it needs.
-  [[nodiscard]] Program part(const std::set<std::string>& targets) const;
+  [[nodiscard]] Program part(const std::set<Place>& targets) const;
   /// The computations that two parts of one program share.
   [[nodiscard]] Program common(const Program& other) const;
   /// The computations of this part of a program that are not in another part.

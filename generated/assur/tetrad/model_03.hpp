@@ -248,7 +248,7 @@ struct Model03 {
     }
   };
 
-  /// f(q, d, u): the x and y of each loop closure, zero when assembled.
+  /// f: the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {

@@ -150,7 +150,7 @@ struct Model18 {
       {"PRP-PRP", { 0, 2, 1, 3, 5, 4 }},
   } };
 
-  /// f(q, d, u): the x and y of each loop closure, zero when assembled.
+  /// f: the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {

@@ -155,7 +155,7 @@ struct Model24 {
       {"PPP-PPP", { 0, 1, 2, 3, 4, 5 }},
   } };
 
-  /// f(q, d, u): the x and y of each loop closure, zero when assembled.
+  /// f: the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {

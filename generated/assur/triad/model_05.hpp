@@ -260,7 +260,7 @@ struct Model05 {
     }
   };
 
-  /// f(q, d, u): the x and y of each loop closure, zero when assembled.
+  /// f: the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {

@@ -156,7 +156,7 @@ struct Model20 {
       {"PP-PP-PP", { 0, 1, 2, 3, 4, 5 }},
   } };
 
-  /// f(q, d, u): the x and y of each loop closure, zero when assembled.
+  /// f: the x and y of each loop closure, zero when assembled.
   template <typename Scalar>
   static void residual(const Dimensions<Scalar>& d, const Inputs<Scalar>& u,
       const Configuration<Scalar>& q, Vector<Scalar, equation_count>& f) {

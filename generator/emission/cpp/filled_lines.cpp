@@ -4,13 +4,20 @@ namespace assur::generator::emission::cpp {
 
 namespace {
 
-/// The common part of entries of one row: `J(0` of `J(0, 1)`, `rhs` of `rhs(0)`.
-std::string row_of(const std::string& target) {
-  const std::size_t comma = target.find(',');
-  return target.substr(0, comma == std::string::npos ? target.find_first_of("([.") : comma);
+/// What the places in one line have in common: the row of a matrix, or the argument.
+program::Place row_of(const program::Place& target) {
+  return {target.argument, "", target.column < 0 ? -1 : target.row, -1};
 }
 
 }  // namespace
+
+std::string spelled(const program::Place& place) {
+  if (!place.is_entry()) {
+    return place.argument + place.member;
+  }
+  return place.argument + "(" + std::to_string(place.row) +
+         (place.column < 0 ? "" : ", " + std::to_string(place.column)) + ")";
+}
 
 void FilledLines::add(const std::string& line) {
   lines_.push_back(line);
@@ -28,8 +35,8 @@ void FilledLines::declare(const std::string& name, const std::string& value) {
   last_ = Last::declaration;
 }
 
-void FilledLines::assign(const std::string& target, const std::string& value) {
-  const std::string statement = target + " = " + value + ";";
+void FilledLines::assign(const program::Place& target, const std::string& value) {
+  const std::string statement = spelled(target) + " = " + value + ";";
   if (last_ == Last::assignment && row_ == row_of(target) && has_room("  " + statement)) {
     lines_.back() += "  " + statement;
   } else {

@@ -4,11 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "program/program.hpp"
+
 namespace assur::generator::emission::cpp {
 
 /// The width of a line of emitted text, and the indentation of a member function's body.
 constexpr std::size_t line_width = 100;
 constexpr std::size_t body_indentation = 4;
+
+/// `J(0, 1)`, `poses[2].x`
+[[nodiscard]] std::string spelled(const program::Place& place);
 
 /// Consecutive declarations become one statement, and assignments to entries of one row of a matrix
 /// share a line as long as there is room.
@@ -24,7 +29,7 @@ class FilledLines {
   /// `const Scalar name = value`
   void declare(const std::string& name, const std::string& value);
   /// `target = value`
-  void assign(const std::string& target, const std::string& value);
+  void assign(const program::Place& target, const std::string& value);
 
   [[nodiscard]] const std::vector<std::string>& lines() const { return lines_; }
 
@@ -36,7 +41,7 @@ class FilledLines {
   std::size_t indentation_;
   std::vector<std::string> lines_;
   Last last_ = Last::other;
-  std::string row_;  ///< of the last assignment
+  program::Place row_;  ///< of the last assignment
 };
 
 }  // namespace assur::generator::emission::cpp

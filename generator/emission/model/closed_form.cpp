@@ -55,7 +55,7 @@ class Estimate {
   }
 
   /// Zero for a result that the program omits.
-  [[nodiscard]] Magnitude result(const std::string& target) const {
+  [[nodiscard]] Magnitude result(const program::Place& target) const {
     const auto found = results_.find(target);
     return found == results_.end() ? Magnitude() : found->second;
   }
@@ -103,31 +103,32 @@ class Estimate {
   const program::Program& program_;
   const Sizes& sizes_;
   std::map<std::string, Magnitude> steps_;
-  std::map<std::string, Magnitude> results_;
+  std::map<program::Place, Magnitude> results_;
 };
 
 /// The discriminants of the final polynomial, as the runtime computes them.
 support::Discriminants<Magnitude> discriminants(const elimination::Elimination& elimination,
                                                 const Estimate& polynomial, double off) {
-  const auto coefficient = [&](const std::string& target) {
+  const auto coefficient = [&](const program::Place& target) {
     return polynomial.result(target) + Magnitude::error(off);
   };
   if (elimination.first->is_angle()) {
     TrigonometricPolynomial<Magnitude, 1> T;
     for (const std::size_t power : {0U, 1U}) {
       const std::string place = "[" + std::to_string(power) + "]";
-      T.cosine[power] = coefficient("T.cosine" + place);
-      T.sine[power] = coefficient("T.sine" + place);
+      T.cosine[power] = coefficient({"T", ".cosine" + place});
+      T.sine[power] = coefficient({"T", ".sine" + place});
     }
     return support::discriminants_of(T);
   }
   if (elimination.degree == 1) {
     Vector<Magnitude, 2> T;
-    T << coefficient("T(0)"), coefficient("T(1)");
+    T << coefficient(program::entry("T", 0)), coefficient(program::entry("T", 1));
     return support::discriminants_of(T);
   }
   Vector<Magnitude, 3> T;
-  T << coefficient("T(0)"), coefficient("T(1)"), coefficient("T(2)");
+  T << coefficient(program::entry("T", 0)), coefficient(program::entry("T", 1)),
+      coefficient(program::entry("T", 2));
   return support::discriminants_of(T);
 }
 

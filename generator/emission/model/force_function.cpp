@@ -13,15 +13,15 @@ ForceFunction of_loads(const forces::GroupForces& forces, ModelFunction function
   ForceFunction result{{std::move(function), forces.vocabulary}, {}};
   std::size_t row = 0;
   for (const forces::LinkLoad& load : forces.loads) {
-    result.given.emplace_back(load.x, entry("loads", row, 0));
-    result.given.emplace_back(load.y, entry("loads", row, 1));
-    result.given.emplace_back(load.moment, entry("loads", row, 2));
+    result.given.emplace_back(load.x, program::entry("loads", row, 0));
+    result.given.emplace_back(load.y, program::entry("loads", row, 1));
+    result.given.emplace_back(load.moment, program::entry("loads", row, 2));
     ++row;
   }
   // Quantities of the vocabulary keep their meanings in every function.
   row = 0;
   for (const GiNaC::symbol& component : forces.given) {
-    result.given.emplace_back(component, "lambda(" + std::to_string(row++) + ")");
+    result.given.emplace_back(component, program::entry("lambda", row++));
   }
   return result;
 }
@@ -37,7 +37,7 @@ void ForceFunction::take_reciprocals(const std::vector<GiNaC::symbol>& reciproca
   std::size_t row = 0;
   for (const GiNaC::symbol& reciprocal : reciprocals) {
     naming.vocabulary.leave_out(reciprocal);
-    given.emplace_back(reciprocal, "reciprocals(" + std::to_string(row++) + ")");
+    given.emplace_back(reciprocal, program::entry("reciprocals", row++));
   }
 }
 
@@ -49,7 +49,7 @@ void tell_reciprocals(const std::vector<GiNaC::symbol>& reciprocals, ModelFuncti
   function.outputs.push_back({"Vector<Scalar, reciprocal_count>&", "reciprocals"});
   std::size_t row = 0;
   for (const GiNaC::symbol& reciprocal : reciprocals) {
-    function.results.push_back({"reciprocals(" + std::to_string(row++) + ")", reciprocal});
+    function.results.push_back({program::entry("reciprocals", row++), reciprocal});
   }
 }
 
@@ -73,9 +73,9 @@ ForceFunction force_function(const forces::GroupForces& forces) {
   }
   std::size_t row = 0;
   for (const forces::JointReaction& joint : forces.joints) {
-    function.results.push_back({entry("F", row, 0), joint.force.x});
-    function.results.push_back({entry("F", row, 1), joint.force.y});
-    function.results.push_back({entry("F", row, 2), joint.couple.value_or(0)});
+    function.results.push_back({program::entry("F", row, 0), joint.force.x});
+    function.results.push_back({program::entry("F", row, 1), joint.force.y});
+    function.results.push_back({program::entry("F", row, 2), joint.couple.value_or(0)});
     ++row;
   }
   return result;
@@ -91,7 +91,7 @@ ForceFunction load_function(const forces::GroupForces& forces) {
                {}});
   std::size_t row = 0;
   for (const GiNaC::ex& load : forces.generalised) {
-    result.naming.function.results.push_back({"Q(" + std::to_string(row++) + ")", load});
+    result.naming.function.results.push_back({program::entry("Q", row++), load});
   }
   return result;
 }

@@ -14,7 +14,7 @@ namespace assur::generator::emission::model {
 /// the parameter that holds it.
 struct ForceFunction {
   NamingFunction naming;
-  std::vector<std::pair<GiNaC::symbol, std::string>> given;
+  std::vector<std::pair<GiNaC::symbol, program::Place>> given;
 
   /// Makes parameters of the reciprocals that another function returns by `tell_reciprocals`.
   void take_reciprocals(const std::vector<GiNaC::symbol>& reciprocals);

@@ -10,7 +10,7 @@ namespace {
 void append(std::vector<program::Result>& results, const std::string& target,
             const std::vector<GiNaC::ex>& vector) {
   for (std::size_t row = 0; row < vector.size(); ++row) {
-    results.push_back({target + "(" + std::to_string(row) + ")", vector[row]});
+    results.push_back({program::entry(target, row), vector[row]});
   }
 }
 
@@ -18,7 +18,7 @@ void append(std::vector<program::Result>& results, const std::string& target,
             const derivatives::ExpressionMatrix& matrix) {
   for (std::size_t row = 0; row < matrix.size(); ++row) {
     for (std::size_t column = 0; column < matrix[row].size(); ++column) {
-      results.push_back({entry(target, row, column), matrix[row][column]});
+      results.push_back({program::entry(target, row, column), matrix[row][column]});
     }
   }
 }
@@ -52,8 +52,15 @@ struct FunctionParameters {
 
 }  // namespace
 
-std::string entry(const std::string& matrix, std::size_t row, std::size_t column) {
-  return matrix + "(" + std::to_string(row) + ", " + std::to_string(column) + ")";
+void add_frame(std::size_t place, const equations::LinkPose& pose, bool has_origin,
+               std::vector<program::Result>& results) {
+  const std::string frame = "[" + std::to_string(place) + "]";
+  if (has_origin) {
+    results.push_back({{"poses", frame + ".x"}, pose.origin.x});
+    results.push_back({{"poses", frame + ".y"}, pose.origin.y});
+  }
+  results.push_back({{"poses", frame + ".direction.cos"}, pose.direction.x});
+  results.push_back({{"poses", frame + ".direction.sin"}, pose.direction.y});
 }
 
 std::vector<equations::NamedQuantity> known_quantities(
@@ -81,7 +88,7 @@ std::vector<ModelFunction> residual_functions(const equations::ImplicitEquations
   const FunctionParameters in;
   std::vector<ModelFunction> functions;
   functions.push_back({"residual",
-                       {"f(q, d, u): " + equations.residuals_meaning + ", zero when assembled."},
+                       {"f: " + equations.residuals_meaning + ", zero when assembled."},
                        in.place(),
                        {{"Vector<Scalar, equation_count>&", "f"}},
                        results_of("f", equations.residuals)});
@@ -139,12 +146,7 @@ std::vector<ModelFunction> model_functions(const equations::ClosureEquations& eq
                       {{"Poses<Scalar, link_count>&", "poses"}},
                       {}};
   for (const structure::LinkIndex link : equations.poses.keys()) {
-    const equations::LinkPose& pose = equations.poses[link];
-    const std::string target = "poses[" + std::to_string(link.place()) + "]";
-    poses.results.push_back({target + ".x", pose.origin.x});
-    poses.results.push_back({target + ".y", pose.origin.y});
-    poses.results.push_back({target + ".direction.cos", pose.direction.x});
-    poses.results.push_back({target + ".direction.sin", pose.direction.y});
+    add_frame(link.place(), equations.poses[link], true, poses.results);
   }
   functions.push_back(std::move(poses));
   ModelFunction pose_jacobians{
@@ -186,8 +188,8 @@ std::vector<ModelFunction> model_functions(const equations::ClosureEquations& eq
         {}};
     for (std::size_t row = 0; row < equations.compatibility.size(); ++row) {
       const equations::Vector2 direction = equations.compatibility[row].direction();
-      compatibility.results.push_back({entry("c", row, 0), direction.x});
-      compatibility.results.push_back({entry("c", row, 1), direction.y});
+      compatibility.results.push_back({program::entry("c", row, 0), direction.x});
+      compatibility.results.push_back({program::entry("c", row, 1), direction.y});
     }
     functions.push_back(std::move(compatibility));
   }
@@ -216,13 +218,13 @@ std::vector<ModelFunction> position_functions(const equations::ClosureEquations&
     polynomial.outputs = {{"Vector<Scalar, static_cast<int>(polynomial_degree) + 1>&", "T"}};
   }
   for (std::size_t power = 0; power < elimination.polynomial.size(); ++power) {
-    const std::string place = std::to_string(power);
+    const std::string place = "[" + std::to_string(power) + "]";
     const equations::Vector2& pair = elimination.polynomial[power];
     if (trigonometric) {
-      polynomial.results.push_back({"T.cosine[" + place + "]", pair.x});
-      polynomial.results.push_back({"T.sine[" + place + "]", pair.y});
+      polynomial.results.push_back({{"T", ".cosine" + place}, pair.x});
+      polynomial.results.push_back({{"T", ".sine" + place}, pair.y});
     } else {
-      polynomial.results.push_back({"T(" + place + ")", pair.x});
+      polynomial.results.push_back({program::entry("T", power), pair.x});
     }
   }
   functions.push_back(std::move(polynomial));
@@ -241,7 +243,7 @@ std::vector<ModelFunction> position_functions(const equations::ClosureEquations&
     for (std::size_t row = 0; row < elimination.in_second.size(); ++row) {
       for (std::size_t part = 0; part < 3; ++part) {
         functions.back().results.push_back(
-            {entry("e", row, part), elimination.in_second[row][part]});
+            {program::entry("e", row, part), elimination.in_second[row][part]});
       }
     }
   }
@@ -254,12 +256,12 @@ std::vector<ModelFunction> position_functions(const equations::ClosureEquations&
   for (const elimination::BackSubstitution& step : elimination.reduction.steps) {
     const GiNaC::ex inverse = elimination.vocabulary.name_reciprocal(
         "inverse_" + step.unknown->name, step.denominator, "that " + step.degeneracy);
-    const std::string target = "q." + step.unknown->name;
+    const std::string unknown = "." + step.unknown->name;
     if (step.unknown->is_angle()) {
-      complete.results.push_back({target + ".cos", step.numerators[0] * inverse});
-      complete.results.push_back({target + ".sin", step.numerators[1] * inverse});
+      complete.results.push_back({{"q", unknown + ".cos"}, step.numerators[0] * inverse});
+      complete.results.push_back({{"q", unknown + ".sin"}, step.numerators[1] * inverse});
     } else {
-      complete.results.push_back({target, step.numerators[0] * inverse});
+      complete.results.push_back({{"q", unknown}, step.numerators[0] * inverse});
     }
   }
   functions.push_back(std::move(complete));

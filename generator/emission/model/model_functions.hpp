@@ -27,9 +27,6 @@ struct ModelFunction {
   std::vector<program::Result> results;
 };
 
-/// `J(1, 2)`: an entry of a matrix in C++.
-[[nodiscard]] std::string entry(const std::string& matrix, std::size_t row, std::size_t column);
-
 /// The quantities that the functions of one model name, each once, except rates, which some
 /// functions compute and others take.
 [[nodiscard]] std::vector<equations::NamedQuantity> known_quantities(
@@ -43,6 +40,10 @@ struct ModelFunction {
 /// As above, with the poses of the links and their derivatives.
 [[nodiscard]] std::vector<ModelFunction> model_functions(
     const equations::ClosureEquations& equations, const derivatives::Derivatives& derivatives);
+
+/// Adds the frame of a link, at a place among `poses`; without `has_origin` its direction alone.
+void add_frame(std::size_t place, const equations::LinkPose& pose, bool has_origin,
+               std::vector<program::Result>& results);
 
 /// The functions of a rigid model's position analysis. They use the elimination's vocabulary and
 /// add reciprocals to it.

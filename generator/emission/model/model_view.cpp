@@ -48,16 +48,21 @@ void ModelSpelling::add(const std::deque<equations::Variable>& variables,
                         const std::string& argument) {
   for (std::size_t index = 0; index < variables.size(); ++index) {
     const equations::Variable& variable = variables[index];
-    const std::string member = argument + "." + variable.name;
-    members_[variable.value.get_name()] = member;
-    members_[variable.size.get_name()] = "abs(" + member + ")";
-    members_[variable.cosine.get_name()] = member + ".cos";
-    members_[variable.sine.get_name()] = member + ".sin";
-    const std::string place = "(" + std::to_string(index) + ")";
-    rates_[variable.rate.get_name()] = argument + "_rate" + place;
-    rates_[variable.second_rate.get_name()] = argument + "_second_rate" + place;
-    rates_[variable.third_rate.get_name()] = argument + "_third_rate" + place;
+    const std::string member = "." + variable.name;
+    members_[variable.value.get_name()] = {{argument, member}};
+    members_[variable.size.get_name()] = {{argument, member}, true};
+    members_[variable.cosine.get_name()] = {{argument, member + ".cos"}};
+    members_[variable.sine.get_name()] = {{argument, member + ".sin"}};
+    rates_[variable.rate.get_name()] = program::entry(argument + "_rate", index);
+    rates_[variable.second_rate.get_name()] = program::entry(argument + "_second_rate", index);
+    rates_[variable.third_rate.get_name()] = program::entry(argument + "_third_rate", index);
   }
+}
+
+std::string ModelSpelling::spell(const std::string& symbol) const {
+  const std::optional<Source> found = source(symbol);
+  const std::string place = found ? cpp::spelled(found->place) : symbol;
+  return found && found->is_size ? "abs(" + place + ")" : place;
 }
 
 void show_variables(const std::deque<equations::Variable>& variables, const std::string& kind,
@@ -91,18 +96,16 @@ cpp::View function_view(const ModelFunction& function, const program::Program& p
                         const FirstStatements& first) {
   const auto spell = [&](const std::string& symbol) { return spelling.spell(symbol); };
   cpp::FilledLines body;
-  std::vector<std::pair<std::string, std::string>> taken_out;
+  std::vector<std::pair<std::string, program::Place>> taken_out;
   std::set<std::string> used;
   bool sizes = false;
   for (const std::string& symbol : program.reads()) {
-    const std::string entry = spelling.taken_out(symbol);
-    const std::string source = entry.empty() ? spell(symbol) : entry;
-    const bool size = source.starts_with("abs(");
-    const std::size_t start = size ? source.find('(') + 1 : 0;
-    used.insert(source.substr(start, source.find_first_of(".(", start) - start));
-    sizes = sizes || size;
-    if (!entry.empty()) {
-      taken_out.emplace_back(symbol, entry);
+    if (const auto entry = spelling.taken_out(symbol)) {
+      used.insert(entry->argument);
+      taken_out.emplace_back(symbol, *entry);
+    } else if (const auto source = spelling.source(symbol)) {
+      used.insert(source->place.argument);
+      sizes = sizes || source->is_size;
     }
   }
   const program::OperationCount count = program.count();
@@ -116,7 +119,7 @@ cpp::View function_view(const ModelFunction& function, const program::Program& p
     body.add("using std::abs;");
   }
   for (const auto& [symbol, entry] : taken_out) {
-    body.declare(symbol, entry);
+    body.declare(symbol, cpp::spelled(entry));
   }
   body.begin_line();
   for (const Parameter& output : function.outputs) {
@@ -126,7 +129,7 @@ cpp::View function_view(const ModelFunction& function, const program::Program& p
   }
   if (zeros == ZeroResults::assigned) {
     for (const program::Result& result : function.results) {
-      if (result.value.is_zero() && result.target.find('(') == std::string::npos) {
+      if (result.value.is_zero() && !result.target.is_entry()) {
         body.assign(result.target, "Scalar(0)");
       }
     }
@@ -141,7 +144,7 @@ cpp::View function_view(const ModelFunction& function, const program::Program& p
     const bool assigned = zeros == ZeroResults::left_out ||
                           std::any_of(function.results.begin(), function.results.end(),
                                       [&](const program::Result& result) {
-                                        return result.target.starts_with(parameter.name);
+                                        return result.target.argument == parameter.name;
                                       });
     return parameter.type + (assigned ? " " + parameter.name : "");
   };
@@ -156,10 +159,10 @@ cpp::View function_view(const ModelFunction& function, const program::Program& p
 }
 
 bool is_cleared(const ModelFunction& function, const Parameter& output) {
-  const std::string entries = output.name + "(";
   return std::any_of(function.results.begin(), function.results.end(),
                      [&](const program::Result& result) {
-                       return result.target.starts_with(entries) && result.value.is_zero();
+                       return result.target.argument == output.name && result.target.is_entry() &&
+                              result.value.is_zero();
                      });
 }
 

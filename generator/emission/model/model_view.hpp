@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,29 +28,37 @@ class ModelSpelling {
     add(inputs, "u");
   }
 
+  /// What a symbol stands for: the number at a place, or its absolute value.
+  struct Source {
+    program::Place place;
+    bool is_size = false;
+  };
+
   /// Declares that a symbol is read from an entry of a parameter, as rates are.
-  void take_out(const GiNaC::symbol& symbol, const std::string& entry) {
+  void take_out(const GiNaC::symbol& symbol, const program::Place& entry) {
     rates_[symbol.get_name()] = entry;
   }
 
   /// Declares a name that is a member of a variable, `g.t01`.
-  void put_in(const std::string& name, const std::string& member) { members_[name] = member; }
+  void put_in(const std::string& name, const program::Place& member) { members_[name] = {member}; }
 
-  [[nodiscard]] std::string spell(const std::string& symbol) const {
+  [[nodiscard]] std::string spell(const std::string& symbol) const;
+  /// Where a symbol that is not taken out is found; none for a local variable.
+  [[nodiscard]] std::optional<Source> source(const std::string& symbol) const {
     const auto found = members_.find(symbol);
-    return found == members_.end() ? symbol : found->second;
+    return found == members_.end() ? std::nullopt : std::optional(found->second);
   }
-  /// The entry from which a symbol is read, such as `q_rate(0)`; empty if there is none.
-  [[nodiscard]] std::string taken_out(const std::string& symbol) const {
+  /// The entry from which a symbol is read, such as `q_rate(0)`, if it is taken out.
+  [[nodiscard]] std::optional<program::Place> taken_out(const std::string& symbol) const {
     const auto found = rates_.find(symbol);
-    return found == rates_.end() ? "" : found->second;
+    return found == rates_.end() ? std::nullopt : std::optional(found->second);
   }
 
  private:
   void add(const std::deque<equations::Variable>& variables, const std::string& argument);
 
-  std::map<std::string, std::string> members_;
-  std::map<std::string, std::string> rates_;
+  std::map<std::string, Source> members_;
+  std::map<std::string, program::Place> rates_;
 };
 
 /// Shows the unknowns, dimensions or inputs: `<kind>s` is the list of name, type and

@@ -15,16 +15,11 @@ namespace {
 constexpr std::size_t inner_indentation = cpp::body_indentation + 2;
 
 program::Program part_of(const program::Program& whole, const ModelFunction& function) {
-  std::set<std::string> targets;
+  std::set<program::Place> targets;
   for (const program::Result& result : function.results) {
     targets.insert(result.target);
   }
   return whole.part(targets);
-}
-
-/// Whether a target is an entry of an output.
-bool is_of(const Parameter& output, const std::string& target) {
-  return target.starts_with(output.name + "(");
 }
 
 /// The outputs of a function to which a program assigns.
@@ -34,7 +29,7 @@ std::vector<Parameter> assigned(const ModelFunction& function, const program::Pr
                [&](const Parameter& output) {
                  return std::any_of(program.assignments().begin(), program.assignments().end(),
                                     [&](const program::Program::Assignment& assignment) {
-                                      return is_of(output, assignment.target);
+                                      return assignment.target.argument == output.name;
                                     });
                });
   return outputs;
@@ -88,14 +83,15 @@ SharedTermsViews shared_terms_views(const SharedTerms& terms,
       {"d", "u", "q"}};
   ModelSpelling by_member = spelling;
   for (const program::Program::Step& step : common.steps()) {
-    by_member.put_in(step.name, terms.variable + "." + step.name);
+    by_member.put_in(step.name, {terms.variable, "." + step.name});
   }
   for (const NamingFunction& entry : functions) {
     const program::Program part = part_of(whole, entry.function);
     ModelFunction rest = entry.function;
     std::erase_if(rest.results, [&](const program::Result& result) {
-      return std::any_of(outputs.begin(), outputs.end(),
-                         [&](const Parameter& output) { return is_of(output, result.target); });
+      return std::any_of(outputs.begin(), outputs.end(), [&](const Parameter& output) {
+        return result.target.argument == output.name;
+      });
     });
     cpp::View& view = views.functions.emplace_back(
         function_view(rest, part.without(common), by_member, ZeroResults::left_out, first));

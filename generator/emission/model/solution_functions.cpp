@@ -13,14 +13,6 @@ std::string letters_of(const equations::Variable& variable) {
   return variable.name.starts_with(prefix) ? variable.name.substr(prefix.size()) : variable.name;
 }
 
-std::string at(const std::string& matrix, std::size_t row, std::size_t column) {
-  return matrix + "(" + std::to_string(row) + ", " + std::to_string(column) + ")";
-}
-
-std::string at(const std::string& vector, std::size_t row) {
-  return vector + "(" + std::to_string(row) + ")";
-}
-
 GiNaC::symbol symbol(const std::string& name) { return GiNaC::symbol(name); }
 
 /// Inputs that move the closures in one direction, such as x_B and, with opposite sense, x_E.
@@ -151,12 +143,12 @@ class SolutionFunctions {
         jacobian_.vocabulary()};
     std::vector<program::Result>& results = result.function.results;
     for (std::size_t index = 0; index < jacobian_.pivots().size(); ++index) {
-      results.push_back({at("p", index), jacobian_.pivots()[index].value});
+      results.push_back({program::entry("p", index), jacobian_.pivots()[index].value});
     }
     for (std::size_t index = 0; index < jacobian_.pivots().size(); ++index) {
-      results.push_back({at("size", index), jacobian_.pivots()[index].bound});
+      results.push_back({program::entry("size", index), jacobian_.pivots()[index].bound});
     }
-    results.push_back({"terms", jacobian_.core_terms()});
+    results.push_back({{"terms"}, jacobian_.core_terms()});
     return result;
   }
 
@@ -173,9 +165,9 @@ class SolutionFunctions {
         const GiNaC::ex& along = gains_[2 * loop][unknown];
         const GiNaC::ex& across = gains_[2 * loop + 1][unknown];
         result.function.results.push_back(
-            {at("J_inverse", unknown, 2 * loop), along * frame.x - across * frame.y});
-        result.function.results.push_back(
-            {at("J_inverse", unknown, 2 * loop + 1), along * frame.y + across * frame.x});
+            {program::entry("J_inverse", unknown, 2 * loop), along * frame.x - across * frame.y});
+        result.function.results.push_back({program::entry("J_inverse", unknown, 2 * loop + 1),
+                                           along * frame.y + across * frame.x});
       }
     }
     return result;
@@ -186,7 +178,7 @@ class SolutionFunctions {
                          const std::string& target) {
       for (std::size_t unknown = 0; unknown < equations_.unknowns.size(); ++unknown) {
         for (std::size_t index = 0; index < variables.size(); ++index) {
-          results.push_back({at(target, unknown, index),
+          results.push_back({program::entry(target, unknown, index),
                              -gained(unknown, closures_.derivative(variables[index]))});
         }
       }
@@ -214,7 +206,7 @@ class SolutionFunctions {
   static void add_rates(std::vector<program::Result>& results, const std::string& target,
                         const Rows& values) {
     for (std::size_t unknown = 0; unknown < values.size(); ++unknown) {
-      results.push_back({at(target, unknown), values[unknown]});
+      results.push_back({program::entry(target, unknown), values[unknown]});
     }
   }
 

@@ -7,7 +7,7 @@ namespace {
 void append(std::vector<program::Result>& results, const std::string& target, std::size_t row,
             const std::vector<GiNaC::ex>& values) {
   for (std::size_t column = 0; column < values.size(); ++column) {
-    results.push_back({entry(target, row, column), values[column]});
+    results.push_back({program::entry(target, row, column), values[column]});
   }
 }
 
@@ -67,14 +67,14 @@ SpecialPointFunctions special_point_functions(const equations::ClosureEquations&
   std::size_t row = 0;
   for (std::size_t index = 0; index < special.points.size(); ++index) {
     const special_points::SpecialPoint& point = special.points[index];
-    result.symbols.emplace_back(point.x, entry("S", index, 0));
-    result.symbols.emplace_back(point.y, entry("S", index, 1));
+    result.symbols.emplace_back(point.x, program::entry("S", index, 0));
+    result.symbols.emplace_back(point.y, program::entry("S", index, 1));
     for (const special_points::SpecialPointSide& side : point.sides) {
       const std::string name = "n_" + word(equations, point) + "_" + neighbour(equations, side);
       const GiNaC::symbol n_x(name + "_x");
       const GiNaC::symbol n_y(name + "_y");
-      result.symbols.emplace_back(n_x, entry("n", row, 0));
-      result.symbols.emplace_back(n_y, entry("n", row, 1));
+      result.symbols.emplace_back(n_x, program::entry("n", row, 0));
+      result.symbols.emplace_back(n_y, program::entry("n", row, 1));
       append(lines.results, "lines", row, {side.normal.x, side.normal.y, side.offset});
       std::vector<GiNaC::ex> along;
       for (const equations::Vector2& contribution : side.contributions) {

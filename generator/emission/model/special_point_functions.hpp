@@ -14,7 +14,7 @@ namespace assur::generator::emission::model {
 struct SpecialPointFunctions {
   std::vector<ModelFunction> functions;
   /// The symbols of points and normals, and the entry of a parameter that holds each: `S(0, 1)`.
-  std::vector<std::pair<GiNaC::symbol, std::string>> symbols;
+  std::vector<std::pair<GiNaC::symbol, program::Place>> symbols;
 };
 
 /// The functions of a model whose special points are defined.

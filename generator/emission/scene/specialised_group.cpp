@@ -257,14 +257,8 @@ class GroupSpecialiser {
         {}};
     std::size_t place = 0;
     for (const std::size_t link : framed_links(numbers_.frames)) {
-      const equations::LinkPose& pose = equations_.poses[structure::LinkIndex(link)];
-      const std::string target = "poses[" + std::to_string(place++) + "]";
-      if (numbers_.frames[link] == FrameNeed::everything) {
-        poses.results.push_back({target + ".x", pose.origin.x});
-        poses.results.push_back({target + ".y", pose.origin.y});
-      }
-      poses.results.push_back({target + ".direction.cos", pose.direction.x});
-      poses.results.push_back({target + ".direction.sin", pose.direction.y});
+      model::add_frame(place++, equations_.poses[structure::LinkIndex(link)],
+                       numbers_.frames[link] == FrameNeed::everything, poses.results);
     }
     return poses;
   }
@@ -273,11 +267,6 @@ class GroupSpecialiser {
   static model::ModelFunction without_dimensions(model::ModelFunction function) {
     std::erase_if(function.inputs,
                   [](const model::Parameter& parameter) { return parameter.name == "d"; });
-    for (std::string& line : function.doc) {
-      if (line.starts_with("f(q, d, u)")) {
-        line.replace(0, std::string("f(q, d, u)").size(), "f(q, u)");
-      }
-    }
     return function;
   }
 

@@ -19,7 +19,7 @@ std::vector<program::Result> input_columns(const SpecialisedNumbers& numbers,
     const auto add = [&](const std::vector<GiNaC::ex>& partials, const auto& known) {
       for (std::size_t column = 0; column < partials.size(); ++column) {
         if (!known[column]) {
-          results.push_back({model::entry(target, row, place++), partials[column]});
+          results.push_back({program::entry(target, row, place++), partials[column]});
         }
       }
     };
@@ -47,7 +47,7 @@ std::vector<program::Result> parameter_columns(const SpecialisedNumbers& numbers
       };
       add(of_dimensions[row], numbers.dimension_gradient);
       add(of_inputs[row], numbers.input_gradient);
-      results.push_back({model::entry(target, row, static_cast<std::size_t>(parameter)), sum});
+      results.push_back({program::entry(target, row, static_cast<std::size_t>(parameter)), sum});
     }
   }
   return results;
@@ -88,7 +88,7 @@ std::vector<model::ModelFunction> sensitivity_functions(
   for (std::size_t row = 0; row < derivatives.pose_unknown_jacobian.size(); ++row) {
     for (std::size_t column = 0; column < derivatives.pose_unknown_jacobian[row].size(); ++column) {
       poses.push_back(
-          {model::entry("P_q", row, column), derivatives.pose_unknown_jacobian[row][column]});
+          {program::entry("P_q", row, column), derivatives.pose_unknown_jacobian[row][column]});
     }
   }
   return functions;

@@ -176,7 +176,7 @@ std::vector<std::size_t> beside(const ForcedModel& model, Results others,
                                 std::vector<NamedQuantity> quantities) {
   append(model.forces.vocabulary.quantities(), quantities);
   for (const GiNaC::ex& load : model.forces.generalised) {
-    others.push_back({"Q(" + std::to_string(others.size()) + ")", load});
+    others.push_back({generator::program::entry("Q", others.size()), load});
   }
   Results all = others;
   const auto function = generator::emission::model::force_function(model.forces).naming.function;
