@@ -36,12 +36,14 @@ void show_given(const std::string& prefix, const std::string& real, cpp::View& v
   std::string given;
   std::vector<std::string> defaults;
   std::vector<std::string> handed;
+  std::vector<std::string> addresses;
   std::string at_place;
   for (const auto& [section, word] :
        {std::pair("has_drivers", "drivers"), std::pair("has_variables", "parameters")}) {
     if (stands(view, section)) {
       given += "const " + prefix + "_" + word + "* " + word + ",\n    ";
       defaults.push_back(prefix + "_" + word + "* " + word);
+      addresses.push_back(std::string("&") + word);
       handed.push_back(std::string("cpp_of(*") + word + ")");
       at_place += std::string(word) + " + place, ";
     } else if (std::string(word) == "drivers") {
@@ -55,6 +57,8 @@ void show_given(const std::string& prefix, const std::string& real, cpp::View& v
   view.set("given_at_place", at_place);
   view.set("cpp_given", joined(handed, ", "));
   view.set("defaults", joined(defaults, ",\n    "));
+  view.set("addresses", joined(addresses, ", "));
+  view.set("addresses_before", joined(addresses, ", ") + (addresses.empty() ? "" : ", "));
   view.set("has_given", !defaults.empty());
 }
 
@@ -65,7 +69,6 @@ std::vector<cpp::EmittedFile> c_interface(const std::filesystem::path& header, c
                                           std::size_t branch_numbers, const std::string& real) {
   const std::string stem = header.stem().string();
   const std::string prefix = prefix_of(stem);
-  solver.set("header", stem);
   solver.set("prefix", prefix);
   solver.set("columns", columns_of(parameters));
   // C has no empty arrays.

@@ -133,13 +133,34 @@ TEST(EmitSceneContent, ShowsInItsHeadHowToCallIt) {
                 directory.path().string());
   ASSERT_EQ(result.status, 0) << result.messages;
   const std::string usage = usage_in(read_file(directory.path() / "assur/scenes/slider_crank.hpp"));
-  EXPECT_LE(std::count(usage.begin(), usage.end(), '\n'), 14);
+  EXPECT_LE(std::count(usage.begin(), usage.end(), '\n'), 11);  // ten, and the parameters
+  const std::size_t end = usage.find('\n') + 1;
   const fs::path source = directory.write(
-      "use.cpp", "#include <assur/scenes/slider_crank.hpp>\nint main() {\n" + usage +
-                     "return found.count == 2 && track.status == assur::Status::ok ? 0 : 1;\n}\n");
+      "use.cpp",
+      usage.substr(0, end) + "int main() {\n" + usage.substr(end) +
+          "return found.count == 2 && states[0].regularity == assur::Status::ok ? 0 : 1;\n}\n");
   const std::string program = (directory.path() / "use").string();
   compile_program(source, program, directory);
   EXPECT_EQ(std::system(program.c_str()), 0) << usage;
+}
+
+TEST(EmitSceneContent, ShowsInTheHeadOfItsCInterfaceHowToCallIt) {
+  const TemporaryDirectory directory;
+  const CommandResult result = run_assur(
+      "emit --scene " ASSUR_EXAMPLES "/slider_crank.json --variable all --interface c --output " +
+      directory.path().string());
+  ASSERT_EQ(result.status, 0) << result.messages;
+  const std::string usage = usage_in(read_file(directory.path() / "assur/scenes/slider_crank.h"));
+  EXPECT_LE(std::count(usage.begin(), usage.end(), '\n'), 11);  // ten, and the parameters
+  const std::size_t end = usage.find('\n') + 1;
+  const fs::path source = directory.write(
+      "use.c", usage.substr(0, end) + "int main(void) {\n" + usage.substr(end) +
+                   "return found.count == 2 && status == slider_crank_status_ok ? 0 : 1;\n}\n");
+  const std::string compile = ASSUR_COMPILER
+                              " -x c -std=c99 -Wall -Wextra -Werror -pedantic -c -I" +
+                              directory.path().string() + " " + source.string() + " -o " +
+                              (directory.path() / "use.o").string();
+  EXPECT_EQ(std::system(compile.c_str()), 0) << usage;
 }
 
 TEST(EmitSceneContent, IsTheSameInEveryProcess) {
