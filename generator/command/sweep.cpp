@@ -160,7 +160,7 @@ bool print_branches(const SweepOptions& options, const mechanism::Scene& scene,
 
 /// One branch among more than can be followed side by side: from the first step that has its
 /// configuration to where it ends.
-bool print_lone_branch(const SweepOptions& options, const mechanism::Plan& plan) {
+bool print_single_branch(const SweepOptions& options, const mechanism::Plan& plan) {
   SweepOutput output(options, plan);
   const auto end = sweep_branch(plan, static_cast<std::size_t>(options.branch),
                                 output.observer([](const auto&) { return true; }));
@@ -182,7 +182,7 @@ bool print_sweep(const SweepOptions& options, const mechanism::Scene& scene,
   expect_no_setting_of(plan, options);
   const bool follows_one = (options.nearest || options.branch > 0) &&
                            plan.most_configurations() > mechanism::most_followed;
-  return follows_one ? print_lone_branch(options, plan) : print_branches(options, scene, plan);
+  return follows_one ? print_single_branch(options, plan) : print_branches(options, scene, plan);
 }
 
 bool run_sweep(const SweepOptions& options) {

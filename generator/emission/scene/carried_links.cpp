@@ -1,5 +1,7 @@
 #include "emission/scene/carried_links.hpp"
 
+#include "emission/scene/followed_angles.hpp"
+
 namespace assur::generator::emission::scene {
 
 namespace {
@@ -66,10 +68,6 @@ cpp::Expression placed_slide(const std::string& member) {
   return cpp::variable("placed").member("slide_" + member);
 }
 
-cpp::Expression slide_of(const cpp::Expression& displacement, const OptionalExpression& rates) {
-  return rates ? cpp::braces("", {displacement, *rates}) : cpp::braces("", {displacement});
-}
-
 cpp::Expression displacement(const SolverScene& solver, mechanism::JointIndex slide,
                              FunctionBody& body) {
   return displacement(solver, solver.mechanism().joints()[slide].between, body);
@@ -93,8 +91,31 @@ cpp::Expression displacement(const SolverScene& solver,
 
 namespace {
 
+/// A slide's displacement with its rates, if they are wanted.
+cpp::Expression slide_of(const cpp::Expression& displacement, const OptionalExpression& rates) {
+  return rates ? cpp::braces("", {displacement, *rates}) : cpp::braces("", {displacement});
+}
+
+}  // namespace
+
+void add_measured_slide(const SolverScene& solver, mechanism::JointIndex slide,
+                        FunctionBody& body) {
+  const std::string& member = solver.members.joints[slide];
+  const cpp::Expression along = body.local("along_" + member);
+  body.add(cpp::declared("const auto", along, displacement(solver, slide, body)));
+  body.add(cpp::assigned(
+      placed_slide(member),
+      slide_of(along.member("position"), solver.derivative_order > 0
+                                             ? OptionalExpression(along.member("rates"))
+                                             : std::nullopt)));
+}
+
+namespace {
+
 /// Declares the coordinate of a joint, unless a driver prescribes it or it is declared already.
-void add_joint_read(const SolverScene& solver, mechanism::JointIndex joint, FunctionBody& body) {
+/// With `follows` an angle is that of the branch.
+void add_joint_read(const SolverScene& solver, mechanism::JointIndex joint, bool follows,
+                    FunctionBody& body) {
   const mechanism::Mechanism& mechanism = solver.mechanism();
   const mechanism::Joint& at = mechanism.joints()[joint];
   const std::string name = coordinate_of(solver, joint);
@@ -104,10 +125,14 @@ void add_joint_read(const SolverScene& solver, mechanism::JointIndex joint, Func
   const auto frame_of = [&](std::size_t end) {
     return nested_frames({solver.placed(mechanism.features()[at.between[end]].link)});
   };
-  const cpp::Expression value =
+  cpp::Expression value =
       at.type == mechanism::JointType::revolute
           ? cpp::call(cpp::scalar_only("support::angle_between"), {frame_of(0), frame_of(1)})
           : displacement(solver, joint, body);
+  const OptionalExpression last = follows ? last_followed(solver, {at.between, {}}) : std::nullopt;
+  if (last) {
+    value = cpp::call(cpp::scalar_only("support::continued"), {value, *last});
+  }
   body.add(cpp::declared({"const LinkCoordinate", "LinkCoordinate"}, cpp::variable(name), value));
 }
 
@@ -117,7 +142,7 @@ void add_joints_read(const SolverScene& solver, mechanism::DriverIndex driver, F
                      const std::function<bool(const std::string&)>& is_read) {
   for (const mechanism::JointIndex joint : mechanism::joints_in_laws(solver.mechanism(), driver)) {
     if (is_read(coordinate_of(solver, joint))) {
-      add_joint_read(solver, joint, body);
+      add_joint_read(solver, joint, false, body);
     }
   }
 }
@@ -126,7 +151,7 @@ void add_joints_read(const SolverScene& solver, FunctionBody& body,
                      const std::function<bool(const std::string&)>& is_read) {
   for (const mechanism::JointIndex joint : solver.mechanism().joints().keys()) {
     if (is_read(coordinate_of(solver, joint))) {
-      add_joint_read(solver, joint, body);
+      add_joint_read(solver, joint, true, body);
     }
   }
 }

@@ -22,9 +22,6 @@ namespace assur::generator::emission::scene {
 /// The expression, or its negative.
 [[nodiscard]] cpp::Expression with_sense(double sense, const cpp::Expression& expression);
 [[nodiscard]] cpp::Expression placed_slide(const std::string& member);
-/// A slide's displacement with its rates, if they are wanted.
-[[nodiscard]] cpp::Expression slide_of(const cpp::Expression& displacement,
-                                       const OptionalExpression& rates);
 /// The displacement of a slide along its line, from the placed links.
 [[nodiscard]] cpp::Expression displacement(const SolverScene& solver, mechanism::JointIndex slide,
                                            FunctionBody& body);
@@ -32,6 +29,8 @@ namespace assur::generator::emission::scene {
 [[nodiscard]] cpp::Expression displacement(const SolverScene& solver,
                                            const std::vector<mechanism::FeatureIndex>& between,
                                            FunctionBody& body);
+/// Sets a slide, with its rates if they are wanted, as placed links have it.
+void add_measured_slide(const SolverScene& solver, mechanism::JointIndex slide, FunctionBody& body);
 
 /// Declares the coordinates of the joints that a driver's law reads and that groups place, if
 /// `is_read` holds for their names.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "emission/cpp/page.hpp"
+#include "emission/scene/carried_links.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -34,30 +35,27 @@ class Constraints {
           described.joints()[driver.joint].between,
           [&](mechanism::FeatureIndex at) { return is_fixed(described.features()[at].link); });
     };
-    bool reports_slides = false;
-    for (const mechanism::JointIndex joint : described.joints().keys()) {
-      reports_slides =
-          reports_slides || (described.joints()[joint].type != mechanism::JointType::revolute &&
-                             solver_.reports(joint));
-    }
     return !solver_.plan.redundant().empty() &&
            !solver_.plan.request().redundancy_tolerance.exists() &&
            solver_.plan.structure().reading.empty() && !moving_.empty() &&
-           moving_.size() <= most_links && std::ranges::all_of(described.drivers(), is_known) &&
-           !reports_slides;
+           moving_.size() <= most_links && std::ranges::all_of(described.drivers(), is_known);
   }
 
-  [[nodiscard]] cpp::Block statements() {
+  [[nodiscard]] cpp::Block statements(const std::vector<std::string>& slides) {
     add_pairs();
     std::vector<cpp::Expression> links;
     for (const mechanism::LinkIndex link : moving_) {
       links.push_back(cpp::address(*solver_.placed(link)));
     }
-    body_.add(cpp::returned(
+    const cpp::Expression hold = cpp::variable("hold");
+    body_.add(cpp::declared(
+        "const bool", hold,
         cpp::call("support::settle_links<" + std::to_string(rows_) + ">",
                   {cpp::array({"LinkFrame*", "LinkFrame"}, std::move(links)),
                    cpp::array({"support::HeldPair<LinkFrame>", "LinkFrame"}, std::move(pairs_)),
                    cpp::variable("placed").member("regularity")})));
+    add_slides(slides);
+    body_.add(cpp::returned(hold));
     return body_.block();
   }
 
@@ -83,6 +81,18 @@ class Constraints {
       pairs_.push_back(cpp::braces({"support::HeldPair<LinkFrame>", "LinkFrame"},
                                    {place(pair.first), place(pair.second), first, second,
                                     cpp::braces("", {cpp::braces("", std::move(holds))})}));
+    }
+  }
+
+  /// Measures the slides between the settled links; those of drivers do not change.
+  void add_slides(const std::vector<std::string>& slides) {
+    for (const mechanism::JointIndex joint : solver_.mechanism().joints().keys()) {
+      const std::string& member = solver_.members.joints[joint];
+      if (std::ranges::find(slides, member) == slides.end() ||
+          solver_.mechanism().driver_of(joint).exists()) {
+        continue;
+      }
+      add_measured_slide(solver_, joint, body_);
     }
   }
 
@@ -114,9 +124,9 @@ class Constraints {
 
 }  // namespace
 
-cpp::Block settling_statements(const SolverScene& solver) {
+cpp::Block settling_statements(const SolverScene& solver, const std::vector<std::string>& slides) {
   Constraints constraints(solver);
-  return constraints.can_be_closed() ? constraints.statements() : cpp::Block{};
+  return constraints.can_be_closed() ? constraints.statements(slides) : cpp::Block{};
 }
 
 }  // namespace assur::generator::emission::scene

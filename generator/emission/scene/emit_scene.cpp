@@ -15,6 +15,7 @@
 #include "emission/scene/c_interface.hpp"
 #include "emission/scene/constraint_statements.hpp"
 #include "emission/scene/equilibrium_statements.hpp"
+#include "emission/scene/followed_angles.hpp"
 #include "emission/scene/force_statements.hpp"
 #include "emission/scene/limit_statements.hpp"
 #include "emission/scene/link_loads.hpp"
@@ -69,8 +70,10 @@ class SceneEmitter {
     show_parameters();
     show_aliases();
     const std::string stem = std::filesystem::path(solver_.file).stem().string();
+    const std::string name = text::header_name(stem);
     const std::filesystem::path header =
-        std::filesystem::path("assur") / "scenes" / (text::header_name(stem) + ".hpp");
+        std::filesystem::path("assur") / "scenes" / (name + ".hpp");
+    view_.set("header", name);
     std::vector<cpp::EmittedFile> files = {{header, cpp::page("scene.hpp", view_)}};
     if (interface != Interface::cpp) {
       const auto of_c = c_interface(header, view_, solver_.parameters.names(), branch_numbers_,
@@ -273,7 +276,11 @@ class SceneEmitter {
     view_.set("limited", limits.empty() ? "" : "Limited");
     show("limits", limits);
     show("redundant_gap", redundant_gap(solver_));
-    show("settling", settling_statements(solver_));
+    show("settling", settling_statements(solver_, slides_));
+    const std::size_t followed = followed_angles(solver_).size();
+    branch_numbers_ += followed;
+    view_.set("followed_count", std::to_string(followed));
+    show("following", following_statements(solver_));
     view_.set("slides", member_list(reported));
     view_.set("has_slides", !reported.empty());
     view_.set("outputs", member_list(solver_.members.outputs.items()));

@@ -152,47 +152,49 @@ class EquilibriumStatements {
     }
   }
 
-  /// The bearing force of a pair on its second link, without a driver's effort.
-  [[nodiscard]] cpp::Expression force_of(std::size_t pair) const {
+  /// The unknowns of a pair's bearing force, without a driver's effort, and its sense on a link.
+  [[nodiscard]] cpp::Expression bearings(std::size_t pair, LinkIndex link) const {
     const HeldPair& held = pairs_[pair];
     const bool drives_along = held.driver.exists() && held.driven == 0;
     const std::size_t count = held.holds[0] && !drives_along ? 2 : 1;
-    return all_.member("force").at(
-        {cpp::word(unknown(pair, count == 2 ? 0 : 1)), cpp::word(count)});
+    return cpp::braces("", {cpp::word(unknown(pair, count == 2 ? 0 : 1)), cpp::word(count),
+                            cpp::word(link_of(held.second) == link ? "1" : "-1")});
   }
-  [[nodiscard]] cpp::Expression force_on(std::size_t pair, LinkIndex link) const {
-    return link_of(pairs_[pair].second) == link ? force_of(pair) : opposite(force_of(pair));
+  /// The force of a joint on one of its links.
+  [[nodiscard]] cpp::Expression force_on(const ToldJoint& joint, LinkIndex link) const {
+    std::vector<cpp::Expression> parts;
+    for (const std::size_t pair : joint.pairs) {
+      if (link_of(pairs_[pair].first) == link || link_of(pairs_[pair].second) == link) {
+        parts.push_back(bearings(pair, link));
+      }
+    }
+    return all_.member("force").at({cpp::braces("", std::move(parts))});
   }
 
   void tell(const ToldJoint& joint) {
     const cpp::Expression target = state("forces").member(joint.member);
-    const auto on = [&](LinkIndex link) {
-      std::vector<cpp::Expression> forces;
-      for (const std::size_t pair : joint.pairs) {
-        if (link_of(pairs_[pair].first) == link || link_of(pairs_[pair].second) == link) {
-          forces.push_back(force_on(pair, link));
-        }
-      }
-      return forces.size() == 1 ? forces.front() : cpp::call("support::total", std::move(forces));
-    };
     for (std::size_t link = 0; joint.is_pin() && link < joint.links.size(); ++link) {
-      body_.add(cpp::assigned(target.member(joint.link_members[link]), on(joint.links[link])));
+      body_.add(cpp::assigned(target.member(joint.link_members[link]),
+                              force_on(joint, joint.links[link])));
     }
     if (joint.is_pin()) {
       return;
     }
+    const cpp::Expression force = force_on(joint, joint.links.back());
     if (!joint.has_moment) {
-      body_.add(cpp::assigned(target, on(joint.links.back())));
+      body_.add(cpp::assigned(target, force));
       return;
     }
     std::vector<cpp::Expression> couples;
     for (const std::size_t pair : joint.pairs) {
       if (pairs_[pair].holds[2]) {
-        couples.push_back(all_.member("couple").at({cpp::word(unknown(pair, 2))}));
+        couples.push_back(cpp::word(unknown(pair, 2)));
       }
     }
-    body_.add(cpp::assigned(
-        target, cpp::braces("", {on(joint.links.back()), cpp::sum(std::move(couples))})));
+    const cpp::Expression couple =
+        couples.empty() ? cpp::number(0)
+                        : all_.member("couple").at({cpp::braces("", std::move(couples))});
+    body_.add(cpp::assigned(target, cpp::braces("", {force, couple})));
   }
 
   const SolverScene& solver_;

@@ -1,6 +1,7 @@
 #include "emission/scene/link_loads.hpp"
 
 #include "emission/scene/carried_links.hpp"
+#include "emission/scene/followed_angles.hpp"
 
 namespace assur::generator::emission::scene {
 
@@ -269,7 +270,8 @@ void LinkLoads::add_joint_spring(const mechanism::Spring& spring) {
     deflection = cpp::sum({position, cpp::negative(value(spring.rest))});
   }
   if (turns && !by_law) {
-    deflection = cpp::call(cpp::scalar_only("support::within_half_turn"), {deflection});
+    deflection = cpp::call(cpp::scalar_only("support::continued_angle"),
+                           {deflection, *last_followed(solver_, {between, spring.rest})});
   }
   std::vector<cpp::Expression> terms;
   if (counts(spring.stiffness)) {

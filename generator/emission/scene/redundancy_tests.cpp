@@ -14,7 +14,7 @@ namespace {
 /// The positions of the joints' features on their links. Where all links stand at the origin, no
 /// other length gives a scale for rounding. Those that do not change are replaced by one point with
 /// the largest coordinates.
-std::vector<cpp::Expression> own_places(const SolverScene& solver, const FunctionBody& body) {
+std::vector<cpp::Expression> feature_places(const SolverScene& solver, const FunctionBody& body) {
   std::vector<cpp::Expression> places;
   const auto add = [&places](const cpp::Expression& x, const cpp::Expression& y) {
     places.push_back(cpp::braces("Pose<Scalar>", {x, y, cpp::braces("")}));
@@ -71,7 +71,7 @@ std::vector<cpp::Expression> gaps(const SolverScene& solver, FunctionBody& body)
   };
   body.add(cpp::declared("const Scalar", size, largest(std::move(poses))));
   body.add(cpp::declared("const Scalar", cpp::variable("reach"),
-                         cpp::call(maximum(), {size, largest(own_places(solver, body))})));
+                         cpp::call(maximum(), {size, largest(feature_places(solver, body))})));
   return gaps;
 }
 

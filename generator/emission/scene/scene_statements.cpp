@@ -120,15 +120,8 @@ void add_second_pins(const SolverScene& solver, std::size_t groups, FunctionBody
       placed_with = std::max(placed_with, before[solver.mechanism().features()[feature].link]);
     }
     if (placed_with == groups) {
-      const std::string& member = solver.members.joints[pin];
-      const cpp::Expression along = body.local("along_" + member);
-      body.add(cpp::declared("const auto", along, displacement(solver, pin, body)));
-      body.add(cpp::assigned(
-          placed_slide(member),
-          slide_of(along.member("position"), solver.derivative_order > 0
-                                                 ? OptionalExpression(along.member("rates"))
-                                                 : std::nullopt)));
-      slides.push_back(member);
+      add_measured_slide(solver, pin, body);
+      slides.push_back(solver.members.joints[pin]);
     }
   }
 }

@@ -1,6 +1,7 @@
 #include "emission/scene/scene_warnings.hpp"
 
 #include <algorithm>
+#include <assur/mechanism/force_columns.hpp>
 #include <assur/mechanism/plan.hpp>
 
 namespace assur::generator::emission::scene {
@@ -13,6 +14,10 @@ std::vector<std::string> scene_warnings(const mechanism::Scene& scene) {
     warnings.push_back("joints." + joint.name +
                        ": constraints of the joint are redundant; the solver leaves them out, and "
                        "excludes the configurations in which they do not hold");
+  }
+  if (mechanism::wants_force_sensitivities(plan)) {
+    warnings.emplace_back(
+        "want: the forces of the solver have no sensitivities; `assur solve` computes them");
   }
   if (plan.structure().groups.size() > most_groups) {
     return warnings;

@@ -312,8 +312,8 @@ class Sampling::Worker {
 Sampling::Sampling(const Mechanism& mechanism, const Request& request, std::size_t branch,
                    std::uint64_t seed, std::uint64_t count, DeviationLaw law)
     : law_(std::move(law)), seed_(seed), count_(count) {
-  if (mechanism.outputs().size() == 0) {
-    throw MechanismError("outputs", "there is no point to sample; name some");
+  if (mechanism.outputs().size() == 0 && !request.want.forces) {
+    throw MechanismError("outputs", "there is no point to sample; name some, or want forces");
   }
   const Plan positions(mechanism, campaign::positions_alone(request));
   const Values nominal_values = positions.values();

@@ -17,7 +17,7 @@ namespace assur::mechanism::choose {
 namespace {
 
 /// Solves at given values. Throws OverConstrained if redundant constraints hold nowhere.
-solve::Answer answered(const Values& values, const solve::Search& search,
+solve::Answer answered(const Values& values, const solve::SearchOptions& search,
                        const solve::Sought& sought, Solution& result) {
   const solve::Answer answer = solve::MechanismSolver(values).solve(search, sought, result);
   if (answer.refusal) {

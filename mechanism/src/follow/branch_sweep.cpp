@@ -26,9 +26,7 @@ class BranchFollower {
 
   std::optional<double> run() {
     const int count = solver_.sweep().count;
-    for (int step = 0; step < count; ++step) {
-      (void)solver_.values_at(value_at(step));
-    }
+    solver_.expect_values_at_steps();
     for (int step = 0; step < count; ++step) {
       const double value = value_at(step);
       solver_.begin_step();

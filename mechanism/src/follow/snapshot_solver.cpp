@@ -11,6 +11,7 @@
 #include "solve/longest_on_links.hpp"
 #include "solve/moved_by_parameter.hpp"
 #include "solve/precision.hpp"
+#include "sweep_range.hpp"
 
 namespace assur::mechanism::follow {
 
@@ -88,6 +89,12 @@ SnapshotSolver::SnapshotSolver(const Plan& plan, Values values)
 Values& SnapshotSolver::values_at(double parameter) {
   values_.set(sweep().parameter, parameter);
   return values_;
+}
+
+void SnapshotSolver::expect_values_at_steps() {
+  for (int step = 0; step < sweep().count; ++step) {
+    values_.set(sweep().parameter, value_at_step(from_, to_, step, sweep().count));
+  }
 }
 
 Eigen::VectorXd SnapshotSolver::place_of(const Configuration& configuration) const {

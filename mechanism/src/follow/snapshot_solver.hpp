@@ -36,6 +36,8 @@ class SnapshotSolver {
   void count_from(const SnapshotPointer& set) { counted_.count_from(set); }
   /// Resets the count of calls between two steps; `at_step` does so, too.
   void begin_step() { between_steps_ = 0; }
+  /// Throws MechanismError if a formula has no value at some step.
+  void expect_values_at_steps();
   /// The mechanism's values at a value of the swept parameter. The next call changes them.
   [[nodiscard]] Values& values_at(double parameter);
   /// Whether the law of a driver reads joints, and so depends on the links' poses.

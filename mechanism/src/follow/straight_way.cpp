@@ -38,7 +38,7 @@ StraightWay::StraightWay(Mechanism mechanism, Request request,
   plan_.emplace(mechanism, request);
 }
 
-std::vector<StraightWay::Branch> StraightWay::branches(
+std::vector<StraightWay::ContinuedPair> StraightWay::branches(
     const Place& from, const Place& to,
     const std::vector<std::pair<std::string, double>>& others) const {
   std::vector<std::pair<std::string, double>> replaced = others;
@@ -57,7 +57,7 @@ std::vector<StraightWay::Branch> StraightWay::branches(
     }
   };
   sweep(*plan_, plan_->values(replaced), observer);
-  std::vector<Branch> result;
+  std::vector<ContinuedPair> result;
   for (const auto& [number, branch] : branch_of) {
     const auto end = end_of.find(branch);
     if (branch_of.count(number) == 1 && end != end_of.end()) {

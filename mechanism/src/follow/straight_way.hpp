@@ -18,14 +18,14 @@ class StraightWay {
   StraightWay(Mechanism mechanism, Request request, const std::vector<ParameterIndex>& changing);
 
   /// A configuration at the start, by its number from 1, and the one at the end that continues it.
-  struct Branch {
+  struct ContinuedPair {
     int number;
     Configuration end;
   };
   /// The branches that a sweep follows from `from` to `to`. A branch that ends before, or cannot be
   /// distinguished from another, is left out. `others` are the values of parameters that do not
   /// change.
-  [[nodiscard]] std::vector<Branch> branches(
+  [[nodiscard]] std::vector<ContinuedPair> branches(
       const Place& from, const Place& to,
       const std::vector<std::pair<std::string, double>>& others) const;
 

@@ -58,9 +58,7 @@ class Sweeper {
 
   /// Runs the sweep. Returns the number of branches.
   int run() {
-    for (int step = 0; step < count(); ++step) {
-      (void)solver_.values_at(value_at(step));
-    }
+    solver_.expect_values_at_steps();
     for (int step = 0; step < count(); ++step) {
       if (step > 0 && is_watched_between(value_at(step - 1), value_at(step))) {
         look_between();

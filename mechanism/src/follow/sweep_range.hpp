@@ -20,7 +20,8 @@ namespace assur::mechanism::follow {
 }
 
 /// Throws MechanismError for a request without a sweep, and for one that cannot be run. Returns the
-/// observer with missing functions replaced by functions without effect.
+/// observer with missing functions replaced by functions without effect, and with the angles that
+/// loads and springs read.
 [[nodiscard]] SweepObserver expect_sweep(const Plan& plan, const Values& values,
                                          SweepObserver observer);
 

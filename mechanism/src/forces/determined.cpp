@@ -1,18 +1,20 @@
 #include "determined.hpp"
 
 #include <Eigen/SVD>
-#include <cmath>
 #include <limits>
 
 namespace assur::mechanism::forces {
 
 LinearEquations::LinearEquations(const Eigen::MatrixXd& matrix, double threshold, OfLinks of_links)
-    : matrix_(matrix), threshold_(threshold), of_links_(of_links) {
+    : matrix_(matrix), threshold_(threshold), of_links_(of_links), null_space_(matrix.cols(), 0) {
   factors_.setThreshold(threshold);
   factors_.compute(matrix);
   if (factors_.rank() < matrix.cols()) {
     Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullV);
-    movable_ = svd.matrixV().rightCols(matrix.cols() - factors_.rank()).rowwise().norm();
+    null_space_ = svd.matrixV().rightCols(matrix.cols() - factors_.rank());
+    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
+    const auto& sizes = svd.singularValues();
+    response_ = factors_.rank() > 0 ? rounding * sizes(0) / sizes(factors_.rank() - 1) : rounding;
   }
 }
 
@@ -20,18 +22,38 @@ bool LinearEquations::has_movable(Eigen::Index row) const {
   const bool are_rows = of_links_ == OfLinks::rows;
   const Eigen::Index first = are_rows ? row - row % 3 : row;
   const auto equations = matrix_.middleRows(first, are_rows ? 3 : 1).cwiseAbs();
+  const LinearSolution of_matrix{{}, null_space_, negligible};
   for (Eigen::Index column = 0; column < matrix_.cols(); ++column) {
     const Eigen::Index begin = are_rows ? column : column - column % 3;
     const Eigen::Index count = are_rows ? 1 : 3;
-    if (!determine(column) && equations.middleCols(begin, count).maxCoeff() > response) {
+    if (!of_matrix.determines(column) &&
+        equations.middleCols(begin, count).maxCoeff() > negligible) {
       return true;
     }
   }
   return false;
 }
 
-Eigen::VectorXd LinearEquations::solve_without(const Equations& left_out,
-                                               const Eigen::VectorXd& rhs) const {
+LinearEquations::Equations LinearEquations::equations_of_movable() const {
+  Equations result(matrix_.rows());
+  for (Eigen::Index row = 0; row < matrix_.rows(); ++row) {
+    result(row) = has_movable(row);
+  }
+  return result;
+}
+
+bool LinearEquations::have_solution_for_all(const Equations& unknown) const {
+  for (Eigen::Index row = 0; row < matrix_.rows(); ++row) {
+    const Eigen::VectorXd unit = Eigen::VectorXd::Unit(matrix_.rows(), row);
+    if (unknown(row) && (matrix_ * factors_.solve(unit) - unit).norm() > negligible) {
+      return false;
+    }
+  }
+  return true;
+}
+
+LinearSolution LinearEquations::solution_without(const Equations& left_out,
+                                                 const Eigen::VectorXd& rhs) const {
   Eigen::MatrixXd rest = matrix_;
   Eigen::VectorXd rest_of_rhs = rhs;
   for (Eigen::Index row = 0; row < rest.rows(); ++row) {
@@ -40,29 +62,22 @@ Eigen::VectorXd LinearEquations::solve_without(const Equations& left_out,
       rest_of_rhs(row) = 0;
     }
   }
-  return LinearEquations(rest, threshold_, of_links_).solve_column(rest_of_rhs);
+  return LinearEquations(rest, threshold_, of_links_).solution(rest_of_rhs);
 }
 
-Eigen::VectorXd LinearEquations::solve_column(const Eigen::VectorXd& rhs) const {
+LinearSolution LinearEquations::solution(const Eigen::VectorXd& rhs) const {
   if (!rhs.allFinite()) {
-    return solve_without(!rhs.array().isFinite(), rhs);
-  }
-  Eigen::VectorXd result = factors_.solve(rhs);
-  if (determine_all()) {
-    return result;
-  }
-  if ((matrix_ * result - rhs).norm() > response * rhs.norm()) {
-    Equations left_out(matrix_.rows());
-    for (Eigen::Index row = 0; row < matrix_.rows(); ++row) {
-      left_out(row) = has_movable(row);
+    Equations left_out = !rhs.array().isFinite();
+    if (!have_solution_for_all(left_out)) {
+      left_out = left_out || equations_of_movable();
     }
-    if (left_out.any()) {
-      return solve_without(left_out, rhs);
-    }
+    return solution_without(left_out, rhs);
   }
-  for (Eigen::Index unknown = 0; unknown < result.size(); ++unknown) {
-    if (!determine(unknown)) {
-      result(unknown) = std::numeric_limits<double>::quiet_NaN();
+  LinearSolution result{factors_.solve(rhs), null_space_, response_};
+  if (null_space_.cols() > 0 &&
+      (matrix_ * result.shortest - rhs).norm() > negligible * rhs.norm()) {
+    if (const Equations left_out = equations_of_movable(); left_out.any()) {
+      return solution_without(left_out, rhs);
     }
   }
   return result;
@@ -71,7 +86,12 @@ Eigen::VectorXd LinearEquations::solve_column(const Eigen::VectorXd& rhs) const 
 Eigen::MatrixXd LinearEquations::solve(const Eigen::MatrixXd& rhs) const {
   Eigen::MatrixXd result(matrix_.cols(), rhs.cols());
   for (Eigen::Index column = 0; column < rhs.cols(); ++column) {
-    result.col(column) = solve_column(rhs.col(column));
+    const LinearSolution solved = solution(rhs.col(column));
+    for (Eigen::Index unknown = 0; unknown < result.rows(); ++unknown) {
+      result(unknown, column) = solved.determines(unknown)
+                                    ? solved.shortest(unknown)
+                                    : std::numeric_limits<double>::quiet_NaN();
+    }
   }
   return result;
 }

@@ -1,7 +1,7 @@
 #include "force_reader.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 
 namespace assur::mechanism::forces {
 
@@ -23,26 +23,27 @@ Vector2d& force_on(JointForce& joint, LinkIndex link) {
 
 ForceReader::ForceReader(const Mechanism& mechanism, const Balance& balance)
     : mechanism_(mechanism), balance_(balance) {
-  result_.efforts.assign(mechanism_.drivers().size(), 0);
+  none_.efforts.assign(mechanism_.drivers().size(), 0);
   for (std::size_t index = 0; index < balance.pairs().size(); ++index) {
     begin(index);
   }
+  result_ = none_;
 }
 
-JointForce& ForceReader::joint_of(std::size_t pair) {
+JointForce& ForceReader::joint_of(std::size_t pair, Forces& forces) const {
   const std::string& name = balance_.pairs()[pair].joint;
-  const auto found = std::ranges::find(result_.joints, name, &JointForce::joint);
-  if (found != result_.joints.end()) {
+  const auto found = std::ranges::find(forces.joints, name, &JointForce::joint);
+  if (found != forces.joints.end()) {
     return *found;
   }
-  result_.joints.push_back({name, {}, false, 0});
-  return result_.joints.back();
+  forces.joints.push_back({name, {}, false, 0});
+  return forces.joints.back();
 }
 
 /// Lists the links of a pair, those of a joint in the order of its `between`.
 void ForceReader::begin(std::size_t index) {
   const HeldPair& pair = balance_.pairs()[index];
-  JointForce& joint = joint_of(index);
+  JointForce& joint = joint_of(index, none_);
   for (const FeatureIndex feature : pair.between) {
     (void)force_on(joint, mechanism_.features()[feature].link);
   }
@@ -51,34 +52,79 @@ void ForceReader::begin(std::size_t index) {
   joint.has_moment = joint.has_moment || (first.is_line && second.is_line);
 }
 
-void ForceReader::add_couples(const Eigen::VectorXd& unknowns) {
+void ForceReader::add_couples(const Eigen::VectorXd& sizes, double couple, Forces& to) const {
   for (std::size_t place = 0; place < balance_.held().size(); ++place) {
     const HeldCoordinate& held = balance_.held()[place];
     const double size =
-        unknowns(static_cast<Eigen::Index>(place)) * balance_.unit_of(held.coordinate);
+        sizes(static_cast<Eigen::Index>(place)) * (held.coordinate == 2 ? couple : 1);
     if (held.driver.exists()) {
-      result_.efforts[held.driver] += size;
+      to.efforts[held.driver] += size;
     } else if (held.coordinate == 2) {
-      joint_of(held.pair).moment += size;
+      joint_of(held.pair, to).moment += size;
     }
   }
 }
 
-void ForceReader::add_forces(const Eigen::VectorXd& unknowns,
-                             const std::vector<Vector2d>& directions) {
+void ForceReader::add_forces(const Eigen::VectorXd& sizes, const Directions& directions,
+                             Forces& to) const {
   for (std::size_t place = 0; place < balance_.held().size(); ++place) {
     const HeldCoordinate& held = balance_.held()[place];
     if (held.driver.exists() || held.coordinate == 2) {
       continue;
     }
-    // A vector is unknown as a whole: the choice of an unknown component would depend on the axes.
-    const double size = unknowns(static_cast<Eigen::Index>(place));
-    const Vector2d force =
-        std::isfinite(size) ? Vector2d(size * directions[place]) : Vector2d::Constant(size);
-    JointForce& joint = joint_of(held.pair);
+    const Vector2d force = sizes(static_cast<Eigen::Index>(place)) * directions[place];
+    JointForce& joint = joint_of(held.pair, to);
     const HeldPair& pair = balance_.pairs()[held.pair];
     force_on(joint, mechanism_.features()[pair.second].link) += force;
     force_on(joint, mechanism_.features()[pair.first].link) -= force;
+  }
+}
+
+void ForceReader::add(const Eigen::VectorXd& sizes, const Directions& directions) {
+  add_couples(sizes, balance_.size(), result_);
+  add_forces(sizes, directions, result_);
+}
+
+void ForceReader::add_forces(const Eigen::VectorXd& sizes, const Directions& directions) {
+  add_forces(sizes, directions, result_);
+}
+
+void ForceReader::forget(const LinearSolution& unknowns, const Directions& directions) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  // A rotation of the basis does not change the sums of squares over its vectors.
+  Forces squares = none_;
+  for (const auto& vector : unknowns.null_space.colwise()) {
+    Forces change = none_;
+    add_couples(vector, 1, change);
+    add_forces(vector, directions, change);
+    for (const DriverIndex driver : mechanism_.drivers().keys()) {
+      squares.efforts[driver] += change.efforts[driver] * change.efforts[driver];
+    }
+    for (std::size_t joint = 0; joint < change.joints.size(); ++joint) {
+      squares.joints[joint].moment += change.joints[joint].moment * change.joints[joint].moment;
+      for (std::size_t link = 0; link < change.joints[joint].on.size(); ++link) {
+        squares.joints[joint].on[link].second.array() +=
+            change.joints[joint].on[link].second.squaredNorm();
+      }
+    }
+  }
+  const auto is_known = [&unknowns](double square) {
+    return !(square > unknowns.response * unknowns.response);
+  };
+  for (const DriverIndex driver : mechanism_.drivers().keys()) {
+    if (!is_known(squares.efforts[driver])) {
+      result_.efforts[driver] = unknown;
+    }
+  }
+  for (std::size_t joint = 0; joint < squares.joints.size(); ++joint) {
+    if (!is_known(squares.joints[joint].moment)) {
+      result_.joints[joint].moment = unknown;
+    }
+    for (std::size_t link = 0; link < squares.joints[joint].on.size(); ++link) {
+      if (!is_known(squares.joints[joint].on[link].second.x())) {
+        result_.joints[joint].on[link].second.setConstant(unknown);
+      }
+    }
   }
 }
 

@@ -10,24 +10,33 @@
 
 namespace assur::mechanism::forces {
 
-/// Collects efforts, couples and forces from the unknowns of the equilibrium.
+/// Collects efforts, couples and forces, each a sum of unknowns of the equilibrium.
 class ForceReader {
  public:
   /// Both must outlive it.
   ForceReader(const Mechanism& mechanism, const Balance& balance);
 
-  /// Adds the sizes of the unknowns to efforts and couples.
-  void add_couples(const Eigen::VectorXd& unknowns);
-  /// Adds the unknowns times their directions to the forces of joints.
-  void add_forces(const Eigen::VectorXd& unknowns, const std::vector<Eigen::Vector2d>& directions);
+  /// Adds unknowns of the given sizes: couples, efforts, and forces along the directions.
+  void add(const Eigen::VectorXd& sizes, const std::vector<Eigen::Vector2d>& directions);
+  /// Adds the forces alone.
+  void add_forces(const Eigen::VectorXd& sizes, const std::vector<Eigen::Vector2d>& directions);
+  /// Makes unknown all that a vector of the unknowns' null space changes, a force as a whole: the
+  /// choice of an unknown component would depend on the axes.
+  void forget(const LinearSolution& unknowns, const std::vector<Eigen::Vector2d>& directions);
   [[nodiscard]] Forces take() { return std::move(result_); }
 
  private:
-  [[nodiscard]] JointForce& joint_of(std::size_t pair);
+  using Directions = std::vector<Eigen::Vector2d>;
+
+  [[nodiscard]] JointForce& joint_of(std::size_t pair, Forces& forces) const;
   void begin(std::size_t index);
+  /// `couple` is the unit of couples.
+  void add_couples(const Eigen::VectorXd& sizes, double couple, Forces& to) const;
+  void add_forces(const Eigen::VectorXd& sizes, const Directions& directions, Forces& to) const;
 
   const Mechanism& mechanism_;
   const Balance& balance_;
+  Forces none_;  ///< every entry zero
   Forces result_;
 };
 

@@ -6,6 +6,20 @@
 #include "force_reader.hpp"
 #include "plan/plan_data.hpp"
 
+namespace assur::mechanism::forces {
+
+namespace {
+
+/// Whether all efforts and all forces in joints are determined.
+bool are_determined(const Forces& forces) {
+  return std::ranges::all_of(forces.efforts, [](double effort) { return std::isfinite(effort); }) &&
+         std::ranges::all_of(forces.joints, &JointForce::is_determined);
+}
+
+}  // namespace
+
+}  // namespace assur::mechanism::forces
+
 namespace assur::mechanism {
 
 bool JointForce::is_determined() const {
@@ -19,22 +33,26 @@ Forces forces_of(const Values& values, const Configuration& configuration) {
   const forces::Balance balance(values, configuration);
   const forces::LinkLoads loads = forces::link_loads(values, configuration, balance);
   const Eigen::VectorXd load = balance.rows_of(loads.applied) + balance.rows_of(loads.inertia);
-  const auto solved = [&](const std::vector<forces::Reaction>& pulls) -> Eigen::VectorXd {
-    const LinearEquations equations(balance.matrix_with(pulls), balance.threshold(),
-                                    LinearEquations::OfLinks::rows);
-    return equations.solve(-load).topRows(balance.matrix().cols());
+  const auto told = [&](const std::vector<forces::Reaction>& pulls) {
+    forces::LinearSolution unknowns =
+        LinearEquations(balance.matrix_with(pulls), balance.threshold(),
+                        LinearEquations::OfLinks::rows)
+            .solution(-load);
+    const Eigen::Index count = balance.matrix().cols();
+    const std::vector<Eigen::Vector2d> directions = forces::directions_of(balance.units());
+    forces::ForceReader reader(values.plan().mechanism, balance);
+    unknowns.null_space.conservativeResize(count, Eigen::NoChange);
+    reader.add(unknowns.shortest.topRows(count), directions);
+    reader.forget(unknowns, directions);
+    return reader.take();
   };
-  const Eigen::VectorXd unknowns = solved(loads.unknown_pulls);
-  forces::ForceReader reader(values.plan().mechanism, balance);
-  reader.add_couples(unknowns);
-  reader.add_forces(unknowns, forces::directions_of(balance.units()));
-  Forces result = reader.take();
+  Forces result = told(loads.unknown_pulls);
   result.ground = forces::ground_resultant(values.plan().mechanism, balance, loads);
   const bool is_ground_known =
       result.ground.force.allFinite() && std::isfinite(result.ground.moment);
-  if (!unknowns.allFinite() || !is_ground_known) {
+  if (!forces::are_determined(result) || !is_ground_known) {
     result.reason = loads.reason;
-    if (loads.unknown_pulls.empty() || !is_ground_known || !solved({}).allFinite()) {
+    if (loads.unknown_pulls.empty() || !is_ground_known || !forces::are_determined(told({}))) {
       result.reason += (result.reason.empty() ? "" : "; ") + balance.reason();
     }
   }

@@ -65,7 +65,7 @@ class Following {
       displace();
       gap = gaps(links);
     }
-    if (largest(gap.col(0)) > LinearEquations::response * largest(before.col(0))) {
+    if (largest(gap.col(0)) > LinearEquations::negligible * largest(before.col(0))) {
       const MovingNumber unknown({0, none, none}, {none, none, none});
       for (const LinkIndex link : displaced.keys()) {
         links.displace(link, {unknown, unknown}, unknown);
@@ -126,10 +126,8 @@ class Following {
 /// The derivatives of all numbers except those of the ground's resultant, all unknown.
 Forces unknown_derivatives(const Mechanism& mechanism, const Balance& balance,
                            const Wrench& ground) {
-  const VectorXd unknown = VectorXd::Constant(std::ssize(balance.held()), none);
   ForceReader reader(mechanism, balance);
-  reader.add_couples(unknown);
-  reader.add_forces(unknown, directions_of(balance.units()));
+  reader.add(VectorXd::Constant(std::ssize(balance.held()), none), directions_of(balance.units()));
   Forces result = reader.take();
   result.ground = ground;
   return result;
@@ -208,7 +206,7 @@ std::vector<Forces> force_sensitivities(const Values& values, const Configuratio
                                           forces::LinearEquations::OfLinks::rows);
   const forces::LinkLoads loads = forces::link_loads(values, configuration, balance);
   const Eigen::VectorXd load = balance.rows_of(loads.applied) + balance.rows_of(loads.inertia);
-  const Eigen::VectorXd unknowns = equations.solve(-load);
+  const forces::LinearSolution unknowns = equations.solution(-load);
   const Eigen::VectorXd carried = equations.some_solution(-load);
   const forces::Following following(values, configuration, balance);
   std::vector<Forces> result;
@@ -221,12 +219,14 @@ std::vector<Forces> force_sensitivities(const Values& values, const Configuratio
       result.push_back(forces::unknown_derivatives(mechanism, balance, ground));
       continue;
     }
-    const Eigen::VectorXd rates =
-        equations.solve(-(forces::known_rows(balance, change) + equilibrium.derivative * carried));
+    const forces::LinearSolution rates = equations.solution(
+        -(forces::known_rows(balance, change) + equilibrium.derivative * carried));
+    const std::vector<Eigen::Vector2d> directions = forces::directions_of(equilibrium.units);
     forces::ForceReader reader(mechanism, balance);
-    reader.add_couples(rates);
-    reader.add_forces(rates, forces::directions_of(equilibrium.units));
-    reader.add_forces(unknowns, forces::turning_of(equilibrium.units));
+    reader.add(rates.shortest, directions);
+    reader.add_forces(carried, forces::turning_of(equilibrium.units));
+    reader.forget(rates, directions);
+    reader.forget(unknowns, directions);
     result.push_back(reader.take());
     result.back().ground = ground;
   }

@@ -1,6 +1,9 @@
 // Linkage of elementary joints of a mechanism, and properties of its structure.
 #include <algorithm>
 #include <assur/mechanism/structure.hpp>
+#include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
 namespace assur::mechanism::plan {
@@ -29,6 +32,50 @@ bool are_written_alike(const Mechanism& mechanism, FeatureIndex one, FeatureInde
                                               are_alike(first.along_y, second.along_y))));
 }
 
+/// A line on its link.
+struct LineNumbers {
+  double x, y, along_x, along_y;
+};
+
+/// Nothing if the line depends on parameters.
+std::optional<LineNumbers> constants_of(const Mechanism& mechanism, FeatureIndex line) {
+  const Feature& at = mechanism.features()[line];
+  const auto constant = [&](NumberIndex number) {
+    return mechanism.numbers()[number].formula.constant();
+  };
+  const auto x = constant(at.x);
+  const auto y = constant(at.y);
+  const auto along_x = constant(at.along_x);
+  const auto along_y = constant(at.along_y);
+  if (!x || !y || !along_x || !along_y) {
+    return std::nullopt;
+  }
+  return LineNumbers{*x, *y, *along_x, *along_y};
+}
+
+/// Whether two lines of one link are the same up to the rounding of their numbers, in either sense.
+bool are_one_line(const Mechanism& mechanism, FeatureIndex one, FeatureIndex other) {
+  if (mechanism.features()[one].link != mechanism.features()[other].link) {
+    return false;
+  }
+  const auto first = constants_of(mechanism, one);
+  const auto second = constants_of(mechanism, other);
+  if (!first || !second) {
+    return are_written_alike(mechanism, one, other);
+  }
+  // Whether (x, y), rounded like numbers of this size, is along the first line.
+  const auto is_along = [&](double x, double y, double size_x, double size_y) {
+    constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+    return std::abs(first->along_x * y - first->along_y * x) <=
+           rounding * (std::abs(first->along_x) * size_y + std::abs(first->along_y) * size_x);
+  };
+  return is_along(second->along_x, second->along_y, std::abs(second->along_x),
+                  std::abs(second->along_y)) &&
+         is_along(second->x - first->x, second->y - first->y,
+                  std::abs(first->x) + std::abs(second->x),
+                  std::abs(first->y) + std::abs(second->y));
+}
+
 /// Makes the block of every second pin of a link in a slot slide along the first one's block. The
 /// first pin is one that a driver moves, and then the one whose joint's name comes first.
 void pair_pins(const Mechanism& mechanism, std::vector<PinInSlot> slots, Linkage& linkage) {
@@ -41,7 +88,7 @@ void pair_pins(const Mechanism& mechanism, std::vector<PinInSlot> slots, Linkage
   for (auto second = slots.begin(); second != slots.end(); ++second) {
     const auto leads = [&](const PinInSlot& first) {
       return mechanism.features()[first.pin].link == mechanism.features()[second->pin].link &&
-             are_written_alike(mechanism, first.line, second->line) &&
+             are_one_line(mechanism, first.line, second->line) &&
              !are_written_alike(mechanism, first.pin, second->pin);
     };
     const auto first = std::find_if(slots.begin(), second, leads);

@@ -10,8 +10,9 @@ namespace assur::mechanism::plan {
 namespace {
 
 /// Throws MechanismError if a reported part does not exist, is listed twice, or is a joint that
-/// does not slide.
-void expect_reported(const Mechanism& mechanism, const Reported& reported) {
+/// does not slide and of which neither forces nor coefficients are wanted.
+void expect_reported(const Mechanism& mechanism, const Request& request) {
+  const Reported& reported = request.reported;
   const auto expect = [](const auto& list, const auto& parts, const std::string& part) {
     if (!list) {
       return;
@@ -27,7 +28,7 @@ void expect_reported(const Mechanism& mechanism, const Reported& reported) {
   };
   expect(reported.links, mechanism.links(), "report.links");
   expect(reported.joints, mechanism.joints(), "report.joints");
-  if (!reported.joints) {
+  if (!reported.joints || request.want.forces || request.want.coefficients) {
     return;
   }
   for (const JointIndex joint : *reported.joints) {
@@ -35,7 +36,8 @@ void expect_reported(const Mechanism& mechanism, const Reported& reported) {
     if (at.type == JointType::revolute) {
       throw MechanismError("report.joints", "the joint " + text::in_quotes(at.name) +
                                                 " is revolute and has no displacement; report " +
-                                                "prismatic joints, pins in slots, or links");
+                                                "prismatic joints, pins in slots, or links, or " +
+                                                "want forces");
     }
   }
 }
@@ -75,7 +77,7 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
       throw MechanismError(part, "the mechanism has no number of this index");
     }
   };
-  expect_reported(mechanism, request.reported);
+  expect_reported(mechanism, request);
   for (const ReferenceAngle& angle : request.reference) {
     if (!angle.link.exists() || angle.link.place() >= mechanism.links().size()) {
       throw MechanismError("reference", "the mechanism has no such link");

@@ -25,7 +25,8 @@ ConfigurationWalk::ConfigurationWalk(const Values& values)
       found_(placement_, nearness_, limits_),
       is_ordered_by_groups_(most_configurations(structure_) > Plan::most_listed) {}
 
-Answer ConfigurationWalk::walk(const Search& search, const Sought& sought, Solution& result) {
+Answer ConfigurationWalk::walk(const SearchOptions& search, const Sought& sought,
+                               Solution& result) {
   nearness_.seek_nothing();
   if (const auto* const point = std::get_if<const SoughtPoint*>(&sought)) {
     nearness_.seek(**point);
@@ -57,7 +58,7 @@ Answer ConfigurationWalk::walk(const Search& search, const Sought& sought, Solut
 }
 
 /// Resets the walk and the result, whatever state the last position left them in.
-void ConfigurationWalk::begin(const Search& search, std::size_t number, Solution& result) {
+void ConfigurationWalk::begin(const SearchOptions& search, std::size_t number, Solution& result) {
   placement_.begin(search.finds_motions);
   gaps_.begin(search.measures_gap);
   nearness_.begin();

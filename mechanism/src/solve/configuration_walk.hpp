@@ -11,7 +11,7 @@
 #include "nearness.hpp"
 #include "placement.hpp"
 #include "redundant_joints.hpp"
-#include "search.hpp"
+#include "search_options.hpp"
 #include "watched_limits.hpp"
 
 namespace assur::mechanism::solve {
@@ -25,14 +25,14 @@ class ConfigurationWalk {
 
   /// Solves the groups as far as the search requires, and writes the solution. Throws as
   /// `MechanismSolver::solve` does.
-  [[nodiscard]] Answer walk(const Search& search, const Sought& sought, Solution& result);
+  [[nodiscard]] Answer walk(const SearchOptions& search, const Sought& sought, Solution& result);
 
   [[nodiscard]] TurnCount& turns() { return placement_.turns(); }
 
  private:
   using Squares = std::array<double, models::most_configurations>;
 
-  void begin(const Search& search, std::size_t number, Solution& result);
+  void begin(const SearchOptions& search, std::size_t number, Solution& result);
   void descend(std::size_t depth);
   void descend_on(std::size_t depth);
   [[nodiscard]] Visits order_of_visits(GroupIndex group, std::size_t count, Squares& squares);

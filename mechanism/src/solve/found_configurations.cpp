@@ -23,7 +23,7 @@ FoundConfigurations::FoundConfigurations(Placement& placement, Nearness& nearnes
       order_(plan_.named_parts),
       redundancy_(SettledRedundancy::made_for(values_)) {}
 
-void FoundConfigurations::begin(const Search& search, std::size_t number, bool cuts,
+void FoundConfigurations::begin(const SearchOptions& search, std::size_t number, bool cuts,
                                 Solution& result) {
   search_ = search;
   number_ = number;

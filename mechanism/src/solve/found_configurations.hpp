@@ -10,7 +10,7 @@
 #include "configuration_order.hpp"
 #include "nearness.hpp"
 #include "placement.hpp"
-#include "search.hpp"
+#include "search_options.hpp"
 #include "settled_redundancy.hpp"
 #include "watched_limits.hpp"
 
@@ -24,7 +24,7 @@ class FoundConfigurations {
 
   /// Begins a search for the configuration with a number; the number zero stands for all or the
   /// nearest one. `cuts`: configurations beyond limits are abandoned early and not counted.
-  void begin(const Search& search, std::size_t number, bool cuts, Solution& result);
+  void begin(const SearchOptions& search, std::size_t number, bool cuts, Solution& result);
   [[nodiscard]] Solution& solution() { return *solution_; }
   /// Whether a single configuration is sought; the list then needs the memory of one.
   [[nodiscard]] bool seeks_one() const { return nearness_.is_sought() || number_ > 0; }
@@ -68,7 +68,7 @@ class FoundConfigurations {
   const WatchedLimits& limits_;
   ConfigurationOrder order_;
   std::optional<SettledRedundancy> redundancy_;
-  Search search_;
+  SearchOptions search_;
   bool cuts_ = false;
   std::size_t number_ = 0;        ///< of the sought configuration; zero if none is
   std::size_t passed_ = 0;        ///< configurations so far

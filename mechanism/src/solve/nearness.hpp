@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "placement.hpp"
-#include "search.hpp"
+#include "search_options.hpp"
 
 namespace assur::mechanism::solve {
 

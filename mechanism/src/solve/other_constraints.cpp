@@ -134,7 +134,7 @@ class Adoption {
 
 }  // namespace
 
-Answer OtherConstraints::settled(const Search& search, const Sought& sought, Answer own,
+Answer OtherConstraints::settled(const SearchOptions& search, const Sought& sought, Answer own,
                                  Solution& result) const {
   const PlanData& plan = values_.plan();
   const bool has_others = plan.others != nullptr && !keeps_own_choice_;

@@ -4,7 +4,7 @@
 #include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/values.hpp>
 
-#include "search.hpp"
+#include "search_options.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -21,7 +21,7 @@ class OtherConstraints {
   /// to leave out. If rounding may have hidden configurations, or families do not persist under all
   /// constraints, `result` and the answer become those of the first choice without either defect.
   /// If there is no such choice, families that do not persist get mobility zero and a reason.
-  [[nodiscard]] Answer settled(const Search& search, const Sought& sought, Answer own,
+  [[nodiscard]] Answer settled(const SearchOptions& search, const Sought& sought, Answer own,
                                Solution& result) const;
   /// If set, answers stay unchanged, since other choices do not continue the counts of turns.
   void keep_own_choice(bool keeps) { keeps_own_choice_ = keeps; }

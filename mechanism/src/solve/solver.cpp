@@ -10,7 +10,7 @@ MechanismSolver::MechanismSolver(const Values& values)
     : walk_(std::make_unique<ConfigurationWalk>(values)), others_(values) {}
 MechanismSolver::~MechanismSolver() = default;
 
-Answer MechanismSolver::solve(const Search& search, const Sought& sought, Solution& result) {
+Answer MechanismSolver::solve(const SearchOptions& search, const Sought& sought, Solution& result) {
   return others_.settled(search, sought, walk_->walk(search, sought, result), result);
 }
 

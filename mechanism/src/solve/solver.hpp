@@ -8,7 +8,7 @@
 
 #include "nearby_configurations.hpp"
 #include "other_constraints.hpp"
-#include "search.hpp"
+#include "search_options.hpp"
 
 namespace assur::mechanism::solve {
 
@@ -26,7 +26,7 @@ class MechanismSolver {
   /// Writes the sought configurations. Throws MechanismError where there are too many to list, or
   /// where they cannot be found in a bounded time, and as `Plan::solve` does; where redundant
   /// constraints hold in no configuration, the answer has a refusal instead.
-  [[nodiscard]] Answer solve(const Search& search, const Sought& sought, Solution& result);
+  [[nodiscard]] Answer solve(const SearchOptions& search, const Sought& sought, Solution& result);
   /// See `TurnCount::count_from`.
   void count_from(std::vector<NearbyConfigurations> nearby);
   /// See `TurnCount`; refers to the last solution.

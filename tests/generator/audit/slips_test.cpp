@@ -142,7 +142,7 @@ const std::vector<Slip>& slips() {
 }
 
 /// How a file is audited.
-struct Way {
+struct AuditedFile {
   const char* id;
   const char* name;
   Written language;
@@ -150,7 +150,7 @@ struct Way {
   bool run;
 };
 
-constexpr std::array<Way, 6> ways = {
+constexpr std::array<AuditedFile, 6> ways = {
     {{"CppRead", "C++, read", Written::cpp, "mine.cpp", false},
      {"MatlabRead", "MATLAB, read", Written::matlab, "fill_it.m", false},
      {"CppRun", "C++, run", Written::cpp, "mine.cpp", true},
@@ -180,7 +180,7 @@ std::vector<const Model*> rigid_models() {
 }
 
 /// Audits one version of a model's code, and adds the answers for all entries to the tally.
-void audit_version(const CodedModel& model, const ExpressionMatrix& version, const Way& way,
+void audit_version(const CodedModel& model, const ExpressionMatrix& version, const AuditedFile& way,
                    const std::string& what, const std::vector<const char*>& words, Tally& tally) {
   const TemporaryDirectory directory;
   directory.write(way.file, model.code(version, way.language));
@@ -220,10 +220,10 @@ void audit_version(const CodedModel& model, const ExpressionMatrix& version, con
   }
 }
 
-class PlantedSlips : public testing::TestWithParam<Way> {};
+class PlantedSlips : public testing::TestWithParam<AuditedFile> {};
 
 TEST_P(PlantedSlips, AreAllFoundAndNothingElse) {
-  const Way& way = GetParam();
+  const AuditedFile& way = GetParam();
   const bool whole = is_whole_campaign();
   const std::vector<const Model*> models = rigid_models();
   ASSERT_GE(models.size(), 20U);
@@ -257,14 +257,16 @@ TEST_P(PlantedSlips, AreAllFoundAndNothingElse) {
 }
 
 /// The ways whose language is installed; configuring says when Octave or Node is not.
-std::vector<Way> installed_ways() {
-  std::vector<Way> installed(std::begin(ways), std::end(ways));
+std::vector<AuditedFile> installed_ways() {
+  std::vector<AuditedFile> installed(std::begin(ways), std::end(ways));
   if (!ASSUR_OCTAVE) {
-    std::erase_if(installed,
-                  [](const Way& way) { return way.run && way.language == Written::matlab; });
+    std::erase_if(installed, [](const AuditedFile& way) {
+      return way.run && way.language == Written::matlab;
+    });
   }
   if (!ASSUR_NODE) {
-    std::erase_if(installed, [](const Way& way) { return way.language == Written::javascript; });
+    std::erase_if(installed,
+                  [](const AuditedFile& way) { return way.language == Written::javascript; });
   }
   return installed;
 }

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 #include "generator/mixed_scene.hpp"
 #include "generator/solver_comparison.hpp"
+#include "mechanism/turning_spring.hpp"
 
 namespace assur::test::emit_forces_forms_test {
 namespace {
@@ -22,6 +25,52 @@ std::string run_program(const std::string& name, const Json& scene, const std::s
   compile_program(source, root + "/driver", directory);
   EXPECT_EQ(std::system((root + "/driver > " + root + "/printed").c_str()), 0);
   return read_file(directory.path() / "printed");
+}
+
+/// `track` counts the turns of a spring and of an angle that a load reads, as a sweep does, in C++
+/// and in C.
+TEST(EmitForces, OfASpringCountItsTurnsAlongABranch) {
+  const Json scene = turning_spring();
+  const std::string printed =
+      run_program("turning", scene, R"cpp(#include <cstdio>
+#include <assur/scenes/turning.cpp>
+                                          using S = assur::scenes::Turning;
+                                          int main() {
+                                            for (int k = 0; k < 2; ++k) {
+                                              S::Drivers<double> drivers;
+                                              S::Branch branch = S::branch(drivers, k);
+                                              S::State<double> state;
+                                              turning_drivers in_c;
+                                              turning_defaults(&in_c);
+                                              turning_branch branch_in_c;
+                                              turning_state state_in_c;
+                                              turning_way way;
+                                              (void)turning_begin(&in_c, k, &branch_in_c);
+                                              for (int row = 0; row <= 720; ++row) {
+                                                in_c.A.position = drivers.A.position =
+                                                    0.3 + 4 * 3.14159265358979323846 * row / 720;
+                                                if (!assur::is_solvable(S::track(drivers, branch, state).status) ||
+                                                    turning_track(&in_c, &branch_in_c, &state_in_c, &way) > turning_status_near_singular) {
+                                                  return 1;
+                                                }
+                                                std::printf("%.17g %.17g ", state.efforts.A, state_in_c.efforts.A);
+                                              }
+                                            }
+                                          }
+                  )cpp",
+                  "--interface c");
+  std::istringstream numbers(printed);
+  double worst = 0;
+  for (const std::size_t branch : {1U, 2U}) {
+    for (const double effort : efforts_along(scene, branch)) {
+      double in_cpp = 0;
+      double in_c = 0;
+      ASSERT_TRUE(numbers >> in_cpp >> in_c);
+      EXPECT_EQ(in_cpp, in_c);
+      worst = std::max(worst, std::abs(in_cpp - effort));
+    }
+  }
+  EXPECT_LT(worst, 1e-10);
 }
 
 /// Batches give the same numbers bit by bit, forces among them; springs at pins have no packs, so

@@ -169,10 +169,12 @@ Json two_pins_in_one_slot(bool is_sleeve, bool tells_second_alone) {
     scene["joints"]["A"] = pin("crank.A", "rod.A");
     scene["joints"]["C"] = pin("rod.C", "slider.C");
   }
+  // The lines are one, told twice: the second from elsewhere and in the other sense.
   scene["links"][slot]["slot"] = {{"through", {0.25, 0}}, {"along", {2, 0}}};
-  for (const std::string name : {"Q", "P"}) {
-    scene["joints"]["S" + name] = {{"type", "pin-in-slot"},
-                                   {"between", {link + "." + name, slot + ".slot"}}};
+  scene["links"][slot]["back"] = {{"through", {-1.5, 0}}, {"along", {-0.5, 0}}};
+  for (const auto& [name, line] : {std::pair("Q", ".slot"), std::pair("P", ".back")}) {
+    scene["joints"][std::string("S") + name] = {{"type", "pin-in-slot"},
+                                                {"between", {link + "." + name, slot + line}}};
   }
   if (tells_second_alone) {
     scene["report"] = {{"joints", {"SQ"}}, {"links", Json::array()}};

@@ -167,6 +167,21 @@ TEST(EmitSpecialForces, OfRedundantConstraintsAreThoseOfSolve) {
   EXPECT_GT(compare(scenes).unknown, 0);
 }
 
+/// Where two links share a force at a pin, the force on a third one is told. A rocker is doubled on
+/// the same two pins.
+TEST(EmitSpecialForces, OnALinkThatTwoOthersCarryTogetherAreThoseOfSolve) {
+  const Json scene = Json::parse(R"({
+    "points": {"A": [0, 0], "B": [1, 2], "C": [5, 3], "D": [4, 0]},
+    "links": {"ground": ["A", "D"], "crank": ["A", "B"], "beam": ["B", "C"], "one": ["D", "C"],
+      "two": ["D", "C"]},
+    "drivers": {"A": {"position": 1, "velocity": 3}},
+    "masses": {"beam": {"mass": 2, "at": [1, 0.3], "inertia": 0.1}}, "gravity": [0, -9.81],
+    "want": ["position", "velocity", "acceleration", "forces"]})");
+  const Compared compared = compare({{"doubled_rocker", scene}});
+  EXPECT_EQ(compared.told, 2 * 20);
+  EXPECT_EQ(compared.unknown, 2 * 8);
+}
+
 TEST(EmitSpecialForces, OfRedundantConstraintsAreToldInFloat) {
   EXPECT_GT(compare({{"guides", guides(1)}}, "float", 1e-4).unknown, 0);
 }
@@ -216,6 +231,10 @@ TEST(EmitSpecialForces, OfMovingDriversAtAChangePointAreThoseOfSolve) {
     Json scene = parallelogram(0);
     scene["drivers"]["A"]["velocity"] = velocity;
     scene["drivers"]["E"]["velocity"] = 1;
+    scenes.push_back({"moving_" + std::to_string(scenes.size()), scene});
+    // Nothing that is loaded and known needs a force across the line: what is unknown might.
+    scene["masses"] = {{"two", {{"mass", 1.5}, {"at", {0.7, 0.1}}}}};
+    scene.erase("loads");
     scenes.push_back({"moving_" + std::to_string(scenes.size()), scene});
   }
   EXPECT_GT(compare(scenes).unknown, 0);

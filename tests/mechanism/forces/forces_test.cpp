@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <assur/directions.hpp>
 #include <assur/mechanism/force_columns.hpp>
 #include <cmath>
 #include <iostream>
@@ -19,6 +20,7 @@
 #include "mechanism/kind_scene.hpp"
 #include "mechanism/loaded_scene.hpp"
 #include "mechanism/scene_solutions.hpp"
+#include "mechanism/turning_spring.hpp"
 
 namespace assur::test::forces_test {
 namespace {
@@ -786,6 +788,124 @@ TEST(Forces, ThatRedundantJointsShareAreNotTold) {
     const double height = -3 * std::sin(0.5);
     EXPECT_NEAR(forces.efforts[mechanism::DriverIndex(0)], 2 * 9 * 2 + 2 * 9.81 * height, 1e-11);
     EXPECT_EQ(std::ranges::count_if(forces.joints, &mechanism::JointForce::is_determined), 0);
+  }
+}
+
+/// A rocker that is doubled on the same two pins shares the force of the beam with its twin; the
+/// forces on the beam and on the ground, and the derivatives of these, are those of one rocker with
+/// the weight of both.
+TEST(Forces, OnALinkThatTwoOthersCarryTogetherAreTold) {
+  Json scene = Json::parse(R"({
+    "points": {"A": [0, 0], "B": [1, 2], "C": [5, 3], "D": [4, 0]},
+    "parameters": {"phi": {"drawn": "A"}, "w": 2},
+    "links": {"ground": ["A", "D"], "crank": ["A", "B"], "beam": ["B", "C"], "one": ["D", "C"]},
+    "drivers": {"A": {"position": "phi", "velocity": 3}},
+    "masses": {"beam": {"mass": "w", "at": [1, 0.3], "inertia": 0.1},
+      "one": {"mass": 1, "at": [1, 0]}},
+    "gravity": [0, -9.81],
+    "want": ["position", "velocity", "acceleration", "forces", "sensitivity"]})");
+  const Solved alone = solved(scene);
+  scene["links"]["two"] = {"D", "C"};
+  const Solved shared = solved(scene);
+  const auto on = [](const Solved& of, const mechanism::Forces& forces, const std::string& joint,
+                     const std::string& link) {
+    for (const auto& [own, force] :
+         std::ranges::find(forces.joints, joint, &mechanism::JointForce::joint)->on) {
+      if (of.plan.mechanism().links()[own].name == link) {
+        return force;
+      }
+    }
+    throw std::logic_error("no such link at the joint");
+  };
+  ASSERT_EQ(alone.configurations().size(), 2U);
+  ASSERT_EQ(shared.configurations().size(), 2U);
+  for (std::size_t place = 0; place < 2; ++place) {
+    std::vector<mechanism::Forces> with_one =
+        mechanism::force_sensitivities(alone.values, alone.configurations()[place]);
+    std::vector<mechanism::Forces> with_two =
+        mechanism::force_sensitivities(shared.values, shared.configurations()[place]);
+    with_one.push_back(mechanism::forces_of(alone.values, alone.configurations()[place]));
+    with_two.push_back(mechanism::forces_of(shared.values, shared.configurations()[place]));
+    EXPECT_EQ(with_one.back().reason, "");
+    EXPECT_NE(with_two.back().reason, "");
+    for (std::size_t of = 0; of < with_one.size(); ++of) {
+      for (const auto& [joint, link] :
+           {std::pair("B", "beam"), std::pair("C", "beam"), std::pair("D", "ground")}) {
+        EXPECT_LT(
+            (on(shared, with_two[of], joint, link) - on(alone, with_one[of], joint, link)).norm(),
+            1e-11)
+            << joint << " of " << of;
+      }
+      EXPECT_TRUE(on(shared, with_two[of], "C", "one").array().isNaN().all());
+      EXPECT_TRUE(on(shared, with_two[of], "D", "two").array().isNaN().all());
+    }
+  }
+}
+
+/// At a change point, and at the dead centre of a driven slide, nothing is known of the rates, and
+/// so of the inertia: where no force balances it, forces grow without bound nearby, and none is
+/// told of the links in line.
+TEST(Forces, ThatUnknownInertiaMayCauseAreNotTold) {
+  Json parallelogram = Json::parse(R"({
+    "links": {"ground": {"A": [0, 0], "D": [4, 0]}, "crank": {"A": [0, 0], "B": [2, 0]},
+      "coupler": {"B": [0, 0], "C": [4, 0]}, "rocker": {"D": [0, 0], "C": [2, 0]}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]},
+      "B": {"type": "revolute", "between": ["crank.B", "coupler.B"]},
+      "C": {"type": "revolute", "between": ["coupler.C", "rocker.C"]},
+      "D": {"type": "revolute", "between": ["ground.D", "rocker.D"]}},
+    "drivers": {"A": {"position": 0, "velocity": 1}},
+    "gravity": [0, -9.81], "masses": {"rocker": {"mass": 2, "at": [1, 0]}},
+    "want": ["position", "velocity", "acceleration", "forces"]})");
+  const Json slider = Json::parse(R"({
+    "links": {"ground": {"A": [0, 0], "rail": {"through": [0, 0], "along": [1, 0]}},
+      "crank": {"A": [0, 0], "B": [1, 0]}, "rod": {"B": [0, 0], "C": [3, 0]},
+      "piston": {"C": [0, 0], "shoe": {"through": [0, 0], "along": [1, 0]}}},
+    "joints": {"A": {"type": "revolute", "between": ["ground.A", "crank.A"]},
+      "B": {"type": "revolute", "between": ["crank.B", "rod.B"]},
+      "C": {"type": "revolute", "between": ["rod.C", "piston.C"]},
+      "S": {"type": "prismatic", "between": ["ground.rail", "piston.shoe"]}},
+    "drivers": {"S": {"position": 4, "velocity": 1}},
+    "gravity": [0, -9.81], "masses": {"crank": {"mass": 1, "at": [0.5, 0.2]}},
+    "want": ["position", "velocity", "acceleration", "forces"]})");
+  for (const double phi : {0.0, 1e-8, 1e-7}) {
+    parallelogram["drivers"]["A"]["position"] = phi;
+    for (const Json& scene : {parallelogram, slider}) {
+      const Solved found = solved(scene);
+      ASSERT_FALSE(found.configurations().empty());
+      for (const Configuration& configuration : found.configurations()) {
+        const mechanism::Forces forces = mechanism::forces_of(found.values, configuration);
+        EXPECT_TRUE(std::isnan(forces.efforts[mechanism::DriverIndex(0)]));
+        EXPECT_EQ(std::ranges::count_if(forces.joints, &mechanism::JointForce::is_determined), 0);
+        EXPECT_FALSE(forces.reason.empty());
+      }
+    }
+  }
+}
+
+/// Along a branch the turns of a spring at a pin count: the work of the driver is the energy that
+/// spring and torque take up.
+TEST(Forces, OfASpringCountItsTurnsAlongABranch) {
+  const Json scene = turning_spring();
+  const double turn = 2 * std::numbers::pi;
+  for (const std::size_t branch : {1U, 2U}) {
+    const std::vector<double> efforts = efforts_along(scene, branch);
+    ASSERT_EQ(efforts.size(), 721U);
+    const double work = (std::accumulate(efforts.begin(), efforts.end(), 0.0) -
+                         (efforts.front() + efforts.back()) / 2) *
+                        (2 * turn / 720);
+    Json first = scene;
+    first.erase("sweep");
+    const Solved begin = solved(first);
+    const auto& rocker = begin.configurations()[branch - 1].link("rocker").pose.direction;
+    const double angle = angle_of(rocker);
+    const auto energy = [&](double turned) {
+      const double deflection = std::remainder(angle - 0.2, turn) + turned;
+      return deflection * deflection + 1.5 * (angle + turned) * (angle + turned);
+    };
+    EXPECT_NEAR(work, energy(2 * turn) - energy(0), 1e-3 * energy(2 * turn));
+    for (std::size_t row = 1; row < efforts.size(); ++row) {
+      EXPECT_LT(std::abs(efforts[row] - efforts[row - 1]), 2);  // a turn lost would make it 31
+    }
   }
 }
 

@@ -171,6 +171,44 @@ TEST_P(TwoPinsInOneSlot, AreFoundInTheTimeOfDyads) {
   }
 }
 
+/// The second pin names a line of its own that lies in the same place: shifted along, of another
+/// length, and of the other sense, in numbers that are rounded.
+TEST_P(TwoPinsInOneSlot, MayNameALineEach) {
+  std::minstd_rand random(56);
+  double worst = 0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Json scene = each_way(GetParam(), random_lengths(random))[0];
+    Json apart = scene;
+    const std::string name = scene["joints"]["SQ"]["between"][0];
+    const std::string link = name.substr(0, name.find('.'));
+    const Json slot = scene["links"][link]["slot"];
+    const auto number = [&](const char* key, int axis) {
+      return slot[key][static_cast<std::size_t>(axis)].get<double>();
+    };
+    Json& other = apart["links"][link]["other"];
+    for (const int axis : {0, 1}) {
+      other["through"].push_back(number("through", axis) + 0.7 * number("along", axis));
+      other["along"].push_back(-0.3 * number("along", axis));
+    }
+    apart["joints"]["SQ"]["between"][0] = link + ".other";
+    const Solved one = solved(scene);
+    const Solved two = solved(apart);
+    for (const mechanism::FoundGroup& group : two.plan.structure().groups) {
+      EXPECT_EQ(group.model->group->name, "dyad");
+    }
+    const double shift = 0.7 * std::hypot(number("along", 0), number("along", 1));
+    ASSERT_EQ(one.configurations().size(), two.configurations().size());
+    for (std::size_t place = 0; place < one.configurations().size(); ++place) {
+      const Configuration& first = one.configurations()[place];
+      const Configuration& second = two.configurations()[place];
+      worst = std::max({worst, difference(first, second),
+                        std::abs(slide_of(one, first, "SQ").displacement - shift +
+                                 slide_of(two, second, "SQ").displacement)});
+    }
+  }
+  EXPECT_LT(worst, 1e-10);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, TwoPinsInOneSlot, testing::Values("pins", "slot", "sleeve"),
                          [](const auto& of) { return of.param; });
 

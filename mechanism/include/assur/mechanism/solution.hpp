@@ -37,11 +37,19 @@ struct CountedAngle {
   double angle;
 };
 
+/// The angle of one link relative to another, continued from the beginning of a branch, where it
+/// was in (-pi, pi]. Loads and springs in sweeps read it.
+struct FollowedAngle {
+  LinkIndex one, other;
+  double begins, angle;
+};
+
 /// One assembly configuration of the whole mechanism.
 struct Configuration {
   Table<LinkIndex, Frame> links;  ///< of the mechanism's links, in the frame of the ground
   std::vector<SlideState> slides;
   std::vector<CountedAngle> counted;
+  std::vector<FollowedAngle> followed;  ///< only in the records of sweeps
   Table<OutputIndex, Point> outputs;
   Status regularity = Status::ok;  ///< ok or near_singular
   /// Whether derivatives with respect to the parameters, and the velocities and accelerations of

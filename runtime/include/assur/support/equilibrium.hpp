@@ -9,6 +9,7 @@
 #include <assur/support/link_forces.hpp>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <type_traits>
 
@@ -25,9 +26,9 @@ class Equilibrium {
   static constexpr int columns = Unknowns + 2 * Springs;
   /// Directions that A shortens to less than this fraction of its largest pivot count as null.
   static constexpr Scalar least = std::is_same_v<Scalar, float> ? Scalar(1e-3) : Scalar(1e-9);
-  /// The rounding error in null directions: an unknown with a smaller component does not take part
-  /// in a null direction, and loads with a smaller residual are balanced.
-  static constexpr Scalar response = std::numeric_limits<Scalar>::epsilon() / least;
+  /// The rounding error of equations and unknowns where directions are shortened to `least`: loads
+  /// with a smaller residual are balanced, and smaller changes do not count.
+  static constexpr Scalar negligible = std::numeric_limits<Scalar>::epsilon() / least;
 
   /// A force and a couple on one link, and their opposites on another. The ground is link -1.
   struct Reaction {
@@ -38,10 +39,17 @@ class Equilibrium {
     int unknown = 0;
     Reaction reaction;
   };
-  using Table = local::Table<Scalar>;
-  using Pivots = local::Pivots<rows, columns>;
 
  public:
+  /// The unknowns of a bearing force, as it acts on the second link (sense 1) or the first (-1).
+  struct Bearings {
+    int first = 0, count = 0, sense = 1;
+  };
+
+  Equilibrium() = default;
+  Equilibrium(const Equilibrium&) = delete;
+  Equilibrium& operator=(const Equilibrium&) = delete;
+
   /// Adds an unknown for each held coordinate (x, y, theta) of the second feature in the frame of
   /// the first; it acts on the second feature's link.
   void hold(int first, int second, const Pose<Scalar>& one, const Pose<Scalar>& other,
@@ -75,62 +83,66 @@ class Equilibrium {
   }
   void load(int link, const LinkLoad<Scalar>& on) { loads_[static_cast<std::size_t>(link)] = on; }
 
-  /// Finds the unknowns. Undetermined ones, which have a component in a null direction of A, become
-  /// NaN. Directions that A moves by less than `tolerance`, a length, count as null.
+  /// Finds the unknowns, up to the null directions of A. Directions that A moves by less than
+  /// `tolerance`, a length, count as null.
   ///
-  /// The equations of links with unknown loads are left out. If the loads cannot be balanced,
-  /// forces along the null directions of A grow without bound near this configuration and depend on
-  /// the path to it: then the equations of the links on which these forces act are left out, too.
+  /// The equations of links with unknown loads are left out. If the loads cannot be balanced, or
+  /// could not for some values of the unknown ones, forces along the null directions of A grow
+  /// without bound near this configuration and depend on the path to it: then the equations of the
+  /// links on which these forces act are left out, too.
   void solve(const Scalar& tolerance) {
     find_size();
-    leave_out_unknown_loads();
-    local::Memory<Scalar, rows*(columns + 1)> memory;
-    for (bool is_balanced = false; !is_balanced;) {
-      Table table(memory, rows, columns + 1);
-      fill(table);
-      Pivots pivots;
-      pivots.begin(rows, columns);
-      const Scalar largest = largest_load(table);
-      const Scalar first = local::eliminate_largest(table, columns, Scalar(0), pivots);
-      const Scalar bound = first * (std::max)(least, tolerance / size_);
-      while (local::eliminate_largest(table, columns, bound, pivots) > 0) {
+    for (int row = 0; row < rows; ++row) {
+      if (!is_known(row) &&
+          !is_balanced([row](int at) { return Scalar(at == row ? 1 : 0); }, tolerance)) {
+        (void)leave_out_movable();
+        break;
       }
-      find_movable(table, pivots);
-      is_balanced = leaves_at_most(response * largest, table, pivots) || !leave_out_movable();
-      for (int unknown = 0; unknown < Unknowns; ++unknown) {
-        const int row = pivots.row_of(unknown);
-        found_[static_cast<std::size_t>(unknown)] = movable_[static_cast<std::size_t>(unknown)]
-                                                        ? std::numeric_limits<Scalar>::quiet_NaN()
-                                                        : -table(row, columns);
-      }
+    }
+    for (int row = 0; row < rows; ++row) {
+      is_left_out_[static_cast<std::size_t>(row)] =
+          is_left_out_[static_cast<std::size_t>(row)] || !is_known(row);
+    }
+    while (!is_balanced([this](int row) { return load_of(row); }, tolerance) &&
+           leave_out_movable()) {
     }
   }
 
-  /// The effort of a driver, by its unknown.
-  [[nodiscard]] Scalar effort(int unknown) const {
-    const Reaction& unit = units_[static_cast<std::size_t>(unknown)];
-    return found_[static_cast<std::size_t>(unknown)] * (unit.couple > 0 ? size_ : Scalar(1));
+  /// The effort of a driver, by its unknown. Efforts, couples and forces are sums of unknowns; NaN
+  /// if a null direction of A changes the sum.
+  [[nodiscard]] Scalar effort(int unknown) const { return couple({unknown}); }
+  /// The couple of bearings.
+  [[nodiscard]] Scalar couple(std::initializer_list<int> unknowns) const {
+    const auto sum = [&](const auto& size_of) {
+      Scalar result = 0;
+      for (const int unknown : unknowns) {
+        result += size_of(unknown);
+      }
+      return Vector<Scalar, 2>{result, Scalar(0)};
+    };
+    return told(sum)(0) * unit_of(*unknowns.begin());
   }
-  /// The couple of a bearing.
-  [[nodiscard]] Scalar couple(int unknown) const { return effort(unknown); }
-  /// The force of bearings on the second link, by the index of their first unknown and their
-  /// number. If one component is unknown, both are NaN.
-  [[nodiscard]] Vector<Scalar, 2> force(int first, int count) const {
-    Vector<Scalar, 2> sum{Scalar(0), Scalar(0)};
-    for (int unknown = first; unknown < first + count; ++unknown) {
-      const Scalar size = found_[static_cast<std::size_t>(unknown)];
-      const Reaction& unit = units_[static_cast<std::size_t>(unknown)];
-      sum(0) += std::isfinite(size) ? size * unit.x : size;
-      sum(1) += std::isfinite(size) ? size * unit.y : size;
-    }
-    return sum;
+  /// The sum of bearing forces, unknown as a whole.
+  [[nodiscard]] Vector<Scalar, 2> force(std::initializer_list<Bearings> bearings) const {
+    return told([&](const auto& size_of) {
+      Vector<Scalar, 2> sum{Scalar(0), Scalar(0)};
+      for (const Bearings& part : bearings) {
+        for (int unknown = part.first; unknown < part.first + part.count; ++unknown) {
+          const Reaction& unit = units_[static_cast<std::size_t>(unknown)];
+          const Scalar size = Scalar(part.sense) * size_of(unknown);
+          sum(0) += size * unit.x;
+          sum(1) += size * unit.y;
+        }
+      }
+      return sum;
+    });
   }
 
  private:
   void set_pivot(int link, const Pose<Scalar>& at) {
     if (link >= 0 && !has_pivot_[static_cast<std::size_t>(link)]) {
       has_pivot_[static_cast<std::size_t>(link)] = true;
-      pivots_[static_cast<std::size_t>(link)] = at;
+      places_[static_cast<std::size_t>(link)] = at;
     }
   }
   /// The reaction of the given size along a coordinate of two features.
@@ -152,7 +164,7 @@ class Equilibrium {
       const Reaction& unit = units_[static_cast<std::size_t>(unknown)];
       for (const int link : {unit.on, unit.from}) {
         if (link >= 0) {
-          const auto& pivot = pivots_[static_cast<std::size_t>(link)];
+          const auto& pivot = places_[static_cast<std::size_t>(link)];
           const Scalar x = unit.at_x - pivot.x;
           const Scalar y = unit.at_y - pivot.y;
           longest = (std::max)(longest, sqrt(x * x + y * y));
@@ -162,119 +174,167 @@ class Equilibrium {
     size_ = longest > 0 ? longest : Scalar(1);
   }
   /// Adds a reaction to a column, `unit` times.
-  void add(const Reaction& reaction, const Scalar& unit, int column, Table& table) const {
+  void add(const Reaction& reaction, const Scalar& unit, int column) {
     for (const int sense : {1, -1}) {
       const int link = sense > 0 ? reaction.on : reaction.from;
       if (link >= 0) {
-        const auto& pivot = pivots_[static_cast<std::size_t>(link)];
+        const auto& pivot = places_[static_cast<std::size_t>(link)];
         const Scalar moment = reaction.couple + (reaction.at_x - pivot.x) * reaction.y -
                               (reaction.at_y - pivot.y) * reaction.x;
         const Scalar size = Scalar(sense) * unit;
-        table(3 * link, column) += size * reaction.x;
-        table(3 * link + 1, column) += size * reaction.y;
-        table(3 * link + 2, column) += size * moment / size_;
+        table_(3 * link, column) += size * reaction.x;
+        table_(3 * link + 1, column) += size * reaction.y;
+        table_(3 * link + 2, column) += size * moment / size_;
       }
     }
   }
   [[nodiscard]] Scalar unit_of(int unknown) const {
     return units_[static_cast<std::size_t>(unknown)].couple > 0 ? size_ : Scalar(1);
   }
-  /// Force and moment on a link, as in its rows of the equilibrium.
-  [[nodiscard]] std::array<Scalar, 3> load_of(int link) const {
-    const LinkLoad<Scalar>& load = loads_[static_cast<std::size_t>(link)];
-    return {load.x, load.y, load.moment_about(pivots_[static_cast<std::size_t>(link)]) / size_};
+  /// The load w in a row of the equilibrium.
+  [[nodiscard]] Scalar load_of(int row) const {
+    const LinkLoad<Scalar>& load = loads_[static_cast<std::size_t>(row / 3)];
+    return row % 3 == 0   ? load.x
+           : row % 3 == 1 ? load.y
+                          : load.moment_about(places_[static_cast<std::size_t>(row / 3)]) / size_;
   }
-  void leave_out_unknown_loads() {
-    for (int link = 0; link < Links; ++link) {
-      const std::array<Scalar, 3> parts = load_of(link);
-      for (std::size_t part = 0; part < 3; ++part) {
-        is_left_out_[static_cast<std::size_t>(3 * link) + part] = !std::isfinite(parts[part]);
-      }
+  [[nodiscard]] bool is_known(int row) const { return std::isfinite(load_of(row)); }
+  /// Solves the equations that are not left out, with the given loads. Returns whether they have a
+  /// solution.
+  template <typename Load>
+  [[nodiscard]] bool is_balanced(const Load& load, const Scalar& tolerance) {
+    fill(load);
+    pivots_.begin(rows, columns);
+    const Scalar largest = largest_load();
+    const Scalar first = local::eliminate_largest(table_, columns, Scalar(0), pivots_);
+    const Scalar bound = first * (std::max)(least, tolerance / size_);
+    Scalar last = first;
+    for (Scalar pivot = first; pivot > 0;) {
+      last = pivot;
+      pivot = local::eliminate_largest(table_, columns, bound, pivots_);
     }
+    constexpr Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();
+    response_ = first > 0 ? rounding * first / last : rounding;
+    return leaves_at_most(negligible * largest);
   }
   /// Leaves out the links on which undetermined unknowns act. Returns whether there are more of
   /// them than before.
   bool leave_out_movable() {
     bool are_more = false;
-    const auto leave_out = [&](int unknown, const Reaction& reaction) {
+    const auto leave_out = [&](const Reaction& reaction) {
       for (const int link : {reaction.on, reaction.from}) {
         for (int row = 3 * link; row >= 0 && row < 3 * link + 3; ++row) {
           bool& is_left_out = is_left_out_[static_cast<std::size_t>(row)];
-          are_more = are_more || (movable_[static_cast<std::size_t>(unknown)] && !is_left_out);
-          is_left_out = is_left_out || movable_[static_cast<std::size_t>(unknown)];
+          are_more = are_more || !is_left_out;
+          is_left_out = true;
         }
       }
     };
     for (int unknown = 0; unknown < columns; ++unknown) {
-      leave_out(unknown, units_[static_cast<std::size_t>(unknown)]);
+      if (is_movable(unknown)) {
+        leave_out(units_[static_cast<std::size_t>(unknown)]);
+      }
     }
     for (const PassedOn& passed : passed_) {
-      leave_out(passed.unknown, passed.reaction);
+      if (is_movable(passed.unknown)) {
+        leave_out(passed.reaction);
+      }
     }
     return are_more;
   }
   /// Fills in A and w, without the rows that are left out.
-  void fill(Table& table) const {
+  template <typename Load>
+  void fill(const Load& load) {
+    for (int row = 0; row < rows; ++row) {
+      for (int column = 0; column < columns; ++column) {
+        table_(row, column) = 0;
+      }
+    }
     for (int unknown = 0; unknown < columns; ++unknown) {
-      add(units_[static_cast<std::size_t>(unknown)], unit_of(unknown), unknown, table);
+      add(units_[static_cast<std::size_t>(unknown)], unit_of(unknown), unknown);
     }
     for (const PassedOn& passed : passed_) {
-      add(passed.reaction, unit_of(passed.unknown), passed.unknown, table);
+      add(passed.reaction, unit_of(passed.unknown), passed.unknown);
     }
     for (int row = 0; row < rows; ++row) {
-      table(row, columns) = load_of(row / 3)[static_cast<std::size_t>(row % 3)];
+      table_(row, columns) = load(row);
       for (int column = 0; column <= columns && is_left_out_[static_cast<std::size_t>(row)];
            ++column) {
-        table(row, column) = 0;
+        table_(row, column) = 0;
       }
     }
   }
-  [[nodiscard]] static Scalar largest_load(const Table& table) {
+  [[nodiscard]] Scalar largest_load() const {
     Scalar largest = 0;
     for (int row = 0; row < rows; ++row) {
-      largest = (std::max)(largest, std::abs(table(row, columns)));
+      largest = (std::max)(largest, std::abs(table_(row, columns)));
     }
     return largest;
   }
   /// Whether the residual of the rows without a pivot is small: then the loads can be balanced.
-  [[nodiscard]] static bool leaves_at_most(const Scalar& most, const Table& table,
-                                           const Pivots& pivots) {
+  [[nodiscard]] bool leaves_at_most(const Scalar& most) const {
     for (int row = 0; row < rows; ++row) {
-      if (pivots.column_of(row) < 0 && std::abs(table(row, columns)) > most) {
+      if (pivots_.column_of(row) < 0 && std::abs(table_(row, columns)) > most) {
         return false;
       }
     }
     return true;
   }
-  /// Finds the unknowns with a component in a null direction of A.
-  void find_movable(const Table& table, const Pivots& pivots) {
-    movable_.fill(false);
+  /// The component of an unknown in the null direction in which the unknown of a column without a
+  /// pivot is one.
+  [[nodiscard]] Scalar null_component(int free, int unknown) const {
+    const int row = pivots_.row_of(unknown);
+    return row >= 0 ? -table_(row, free) : Scalar(unknown == free ? 1 : 0);
+  }
+  /// Whether a null direction of A, of length one, changes a sum of unknowns, a function of their
+  /// sizes, by more than this.
+  template <typename Sum>
+  [[nodiscard]] bool is_movable(const Sum& sum, const Scalar& response) const {
     for (int free = 0; free < columns; ++free) {
-      if (pivots.row_of(free) >= 0) {
+      if (pivots_.row_of(free) >= 0) {
         continue;
       }
-      movable_[static_cast<std::size_t>(free)] = true;
-      Scalar square = 1;
-      for (int row = 0; row < rows; ++row) {
-        square += pivots.column_of(row) < 0 ? Scalar(0) : table(row, free) * table(row, free);
+      const auto component = [&](int unknown) { return null_component(free, unknown); };
+      Scalar square = 0;
+      for (int unknown = 0; unknown < columns; ++unknown) {
+        square += component(unknown) * component(unknown);
       }
-      for (int row = 0; row < rows; ++row) {
-        const int unknown = pivots.column_of(row);
-        if (unknown >= 0 && table(row, free) * table(row, free) > response * response * square) {
-          movable_[static_cast<std::size_t>(unknown)] = true;
-        }
+      const Vector<Scalar, 2> change = sum(component);
+      if (change(0) * change(0) + change(1) * change(1) > response * response * square) {
+        return true;
       }
     }
+    return false;
+  }
+  [[nodiscard]] bool is_movable(int unknown) const {
+    return is_movable(
+        [&](const auto& size_of) {
+          return Vector<Scalar, 2>{size_of(unknown), Scalar(0)};
+        },
+        negligible);
+  }
+  /// A sum of unknowns; NaN if it is not determined.
+  template <typename Sum>
+  [[nodiscard]] Vector<Scalar, 2> told(const Sum& sum) const {
+    constexpr Scalar none = std::numeric_limits<Scalar>::quiet_NaN();
+    return is_movable(sum, response_) ? Vector<Scalar, 2>{none, none} : sum([&](int unknown) {
+      const int row = pivots_.row_of(unknown);
+      return row >= 0 ? -table_(row, columns) : Scalar(0);
+    });
   }
 
   std::array<Reaction, static_cast<std::size_t>(columns)> units_;
   std::array<PassedOn, static_cast<std::size_t>(Passed)> passed_;
   std::array<LinkLoad<Scalar>, static_cast<std::size_t>(Links)> loads_;
-  std::array<Pose<Scalar>, static_cast<std::size_t>(Links)> pivots_;
+  std::array<Pose<Scalar>, static_cast<std::size_t>(Links)> places_;  ///< of the links' pivots
   std::array<bool, static_cast<std::size_t>(Links)> has_pivot_{};
-  std::array<bool, static_cast<std::size_t>(columns)> movable_{};
-  std::array<Scalar, static_cast<std::size_t>(Unknowns)> found_{};
   std::array<bool, static_cast<std::size_t>(rows)> is_left_out_{};
+  local::Memory<Scalar, rows*(columns + 1)> memory_;
+  local::Table<Scalar> table_{memory_, rows, columns + 1};  ///< A and w, eliminated by `solve`
+  local::Pivots<rows, columns> pivots_;
+  /// The rounding error of null directions: rounding divided by the least pivot, in parts of the
+  /// first.
+  Scalar response_ = 0;
   Scalar size_ = 1;
   int unknowns_ = 0, passed_count_ = 0, pulls_ = 0;
 };

@@ -12,7 +12,8 @@ namespace assur::support {
 
 /// Copies between a branch and an array, in this order: whether the stored point lies before the
 /// point to which the branch was followed, the positions of drivers and parameters at the stored
-/// point and at that point, then for each group u, q, J^-1 and the pivots.
+/// point and at that point, the angles that are followed, then for each group u, q, J^-1 and the
+/// pivots.
 template <typename Solver, typename Scalar>
 class FlatBranch {
   using Branch = support::Branch<Solver, Scalar>;
@@ -39,7 +40,7 @@ class FlatBranch {
  public:
   /// The number of numbers in a branch, without its status.
   static constexpr std::size_t size =
-      1 +
+      1 + Access<Solver, Scalar>::followed_angles +
       2 * std::tuple_size_v<
               decltype(std::declval<typename Access<Solver, Scalar>::Given>().positions())> +
       NumbersOf<decltype(Branch::groups)>::value;
@@ -72,6 +73,9 @@ class FlatBranch {
     }
     for (Scalar* position : branch.followed_to.positions()) {
       visitor(position, std::size_t{1});
+    }
+    for (Scalar& angle : branch.followed) {
+      visitor(&angle, std::size_t{1});
     }
     std::apply([&visitor](auto&... point) { (visit_point(point, visitor), ...); }, branch.groups);
   }

@@ -153,6 +153,18 @@ template <typename Scalar>
   return within < negligible - turn / 2 ? within + turn : within;
 }
 
+/// An angle continued from its last value by at most half a turn.
+template <typename Scalar>
+[[nodiscard]] Scalar continued_angle(const Scalar& angle, const Scalar& last) {
+  return last + within_half_turn(Scalar(angle - last));
+}
+template <typename Scalar, int Order, int Parameters>
+[[nodiscard]] Coordinate<Scalar, Order, Parameters> continued(
+    Coordinate<Scalar, Order, Parameters> angle, const Scalar& last) {
+  angle.position = continued_angle(angle.position, last);
+  return angle;
+}
+
 /// The force and moment of a joint on the link on its far side, at a point, that balance the rest
 /// of the link's load. They are added to the loads of both links.
 template <typename Scalar, typename Place>

@@ -108,6 +108,19 @@ struct Access {
   /// ones.
   static constexpr bool settles = decltype(settles_of<Parts>(0))::value;
   template <typename Those>
+  static auto followed_of(int) -> std::integral_constant<std::size_t, Those::followed_angles>;
+  template <typename Those>
+  static auto followed_of(...) -> std::integral_constant<std::size_t, 0>;
+  /// The number of angles that loads and springs read and that tracking continues.
+  static constexpr std::size_t followed_angles = decltype(followed_of<Solver>(0))::value;
+  using Followed = std::array<Scalar, followed_angles>;
+  template <typename Those>
+  static auto redundant_of(int) -> decltype(Those::has_redundant, std::true_type());
+  template <typename Those>
+  static std::false_type redundant_of(...);
+  /// Whether the solver leaves out redundant constraints and tests them.
+  static constexpr bool has_redundant = decltype(redundant_of<Solver>(0))::value;
+  template <typename Those>
   static auto laws_of(int) -> decltype(Those::has_laws, std::true_type());
   template <typename Those>
   static std::false_type laws_of(...);
@@ -213,6 +226,8 @@ struct Access {
   [[nodiscard]] static Direction<Scalar> first_direction(const Placed& placed) {
     return Parts::first_direction(placed);
   }
+  /// The angles that loads and springs read, continued from those of `placed`.
+  [[nodiscard]] static Followed followed(const Placed& placed) { return Parts::followed(placed); }
   /// Closes all constraints together. Returns whether they hold, and agree in the rates that are
   /// known.
   [[nodiscard]] static bool settle(Placed& placed) { return Parts::settle(placed); }

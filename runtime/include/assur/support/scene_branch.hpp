@@ -36,6 +36,8 @@ struct Branch {
   /// The point stored is then one shortly before it, from which the branch can be continued.
   bool is_kept_before = false;
   typename Access<Solver, Scalar>::Given followed_to;  ///< the arguments at the crossing
+  /// The angles that loads and springs read, with their whole turns since the branch began.
+  typename Access<Solver, Scalar>::Followed followed{};
   /// ok or near_singular; with any other status the branch cannot be followed. singular also if
   /// velocities are unknown at the start: the branch may be any of those that meet there.
   Status status = Status::singular;

@@ -59,7 +59,7 @@ class Search {
     Own::drive(given, placed);
     proceed<0>(placed, {});
     const bool is_lost = is_unsure_ && solution_.count == 0;
-    if (Own::has_gaps && (solution_.families > 0 || is_lost) &&
+    if (Own::has_redundant && (solution_.families > 0 || is_lost) &&
         solution_.status == AssemblyStatus::ok) {
       // It is unknown whether the redundant constraints let the families move, or where groups are
       // whose neighbours rounding has displaced far.
@@ -188,6 +188,8 @@ class Search {
       if constexpr (Own::has_limits) {
         if (!Own::keeps_limits(placed)) {
           ++solution_.left_out;
+          // Nearly singular groups may be placed far from where the redundant constraints hold.
+          is_unsure_ = is_unsure_ || (Own::has_redundant && placed.regularity != Status::ok);
           return;
         }
       }
@@ -244,7 +246,7 @@ class Search {
     }
     solution_.complete = solution_.complete && found.complete;
     const Status before = placed.regularity;
-    is_unsure_ = is_unsure_ || (Own::has_gaps && found.count == 0 && before != Status::ok);
+    is_unsure_ = is_unsure_ || (Own::has_redundant && found.count == 0 && before != Status::ok);
     if (found.mobility > 0) {
       mobilities_[Place] = found.mobility;
       proceed<Place + 1>(placed, {loose.moving | itself, loose.all | itself});
@@ -302,7 +304,9 @@ class Search {
   States& states_;
   std::array<typename Own::Key, capacity> keys_;
   Solution solution_;
-  bool is_unsure_ = false;    ///< whether a group after nearly singular ones had no configuration
+  /// Whether nearly singular groups were followed by one without a configuration, or by redundant
+  /// constraints that do not hold.
+  bool is_unsure_ = false;
   bool is_moderate_ = false;  ///< whether all arguments are below `moderate`
   Configurations current_;
   std::array<std::size_t, group_count> choices_{};  ///< the indices of the groups' configurations

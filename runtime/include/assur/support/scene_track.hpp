@@ -69,6 +69,9 @@ class Tracker {
       Own::drive(given, placed);
       branch.status = Status::ok;
       settle<0>(chosen, branch, placed);
+      if (is_solvable(branch.status)) {
+        follow(branch, branch, placed);
+      }
     }
     return branch;
   }
@@ -107,6 +110,7 @@ class Tracker {
           const auto landing = crossing.land(branch.given, to, *start, reached, end, placed);
           if (!landing.is_refused) {
             width = (std::min)(2 * (landing.part - reached), widest);
+            follow(*start, end, placed);
             arrive(end, landing.part, passed, placed, state, way);
             reached = landing.part;
             start = &end;
@@ -136,6 +140,7 @@ class Tracker {
         }
         continue;
       }
+      follow(*start, end, placed);
       start = &end;
       width = (std::min)(2 * (next - reached), widest);
       reached = next;
@@ -147,6 +152,14 @@ class Tracker {
   }
 
  private:
+  /// Continues the angles that loads and springs read from one point of a branch to the next, which
+  /// is placed.
+  static void follow(const Branch& start, Branch& end, Placed& placed) {
+    if constexpr (Own::followed_angles > 0) {
+      placed.followed = start.followed;
+      end.followed = Own::followed(placed);
+    }
+  }
   /// The largest turn of a driver.
   [[nodiscard]] static Scalar largest_turn(Given from, Given to) {
     const auto starts = from.positions();

@@ -11,7 +11,7 @@
 
 namespace assur::mechanism::solve {
 
-struct Search {
+struct SearchOptions {
   /// Whether configurations beyond the limits of joints are omitted. A sweep keeps them, since
   /// branches go through them.
   bool within_limits = true;
