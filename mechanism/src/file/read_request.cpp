@@ -68,6 +68,19 @@ class RequestReader {
     expect_keys(value, "report", report_keys);
     request_.reported.links = listed_parts(value, "links", mechanism_.links(), "link");
     request_.reported.joints = listed_parts(value, "joints", mechanism_.joints(), "joint");
+    if (request_.reported.joints && !request_.want.forces && !request_.want.coefficients) {
+      std::ranges::for_each(*request_.reported.joints,
+                            [this](JointIndex joint) { expect_slide(mechanism_.joints()[joint]); });
+    }
+  }
+
+  static void expect_slide(const Joint& joint) {
+    if (joint.type == JointType::revolute) {
+      throw MechanismError("report.joints", "the joint " + text::in_quotes(joint.name) +
+                                                " is revolute and has no displacement; report " +
+                                                "prismatic joints, pins in slots, or links, or " +
+                                                "want forces");
+    }
   }
 
   void read_reference() {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "branch_matching.hpp"
+#include "followed_angles.hpp"
 #include "snapshot_solver.hpp"
 #include "solve/reference.hpp"
 #include "sweep_range.hpp"
@@ -22,7 +23,7 @@ class BranchFollower {
  public:
   BranchFollower(const Plan& plan, const Values& values, std::size_t number,
                  const SweepObserver& observer)
-      : number_(number), observer_(observer), solver_(plan, values) {}
+      : number_(number), observer_(observer), solver_(plan, values), followed_(plan.mechanism()) {}
 
   std::optional<double> run() {
     const int count = solver_.sweep().count;
@@ -93,7 +94,11 @@ class BranchFollower {
 
   void report(int step) {
     observer_.solved(current_->parameter, current_->solution);
-    const Configuration& state = current_->configuration(PointIndex(0));
+    const Configuration& found = current_->configuration(PointIndex(0));
+    constexpr int branch = 1;
+    const Configuration& state =
+        followed_.is_needed() ? followed_.on(branch, found, solver_.values_at(current_->parameter))
+                              : found;
     if (state.is_consistent && state.within_limits) {
       observer_.record(
           {step, 0, static_cast<int>(number_), "", current_->parameter, &current_->spread, &state});
@@ -103,6 +108,7 @@ class BranchFollower {
   std::size_t number_;
   const SweepObserver& observer_;
   SnapshotSolver solver_;
+  FollowedAngles followed_;
   SnapshotPointer current_;  ///< the branch, as far as it has been followed
 };
 

@@ -2,37 +2,28 @@
 
 #include <algorithm>
 #include <assur/directions.hpp>
-#include <cmath>
-#include <map>
-#include <numbers>
-#include <utility>
-#include <vector>
+#include <assur/support/rigid_motion.hpp>
 
 namespace assur::mechanism::follow {
 
-namespace {
-
-using LinkPair = std::pair<LinkIndex, LinkIndex>;
-
-/// The links whose relative angles loads and springs read.
-std::vector<LinkPair> links_read(const Mechanism& mechanism) {
-  std::vector<LinkPair> links;
-  const auto add = [&](FeatureIndex first, FeatureIndex second) {
+FollowedAngles::FollowedAngles(const Mechanism& mechanism) {
+  const auto add = [&](FeatureIndex first, FeatureIndex second, NumberIndex rest) {
     const Feature& one = mechanism.features()[first];
     const Feature& other = mechanism.features()[second];
     const bool is_driven = std::ranges::any_of(mechanism.drivers(), [&](const Driver& driver) {
       const std::vector<FeatureIndex>& between = mechanism.joints()[driver.joint].between;
       return between[0] == first && between[1] == second;
     });
-    const LinkPair pair(one.link, other.link);
-    if (!one.is_line && !other.is_line && !is_driven &&
-        std::ranges::find(links, pair) == links.end()) {
-      links.push_back(pair);
+    const bool is_known = std::ranges::any_of(angles_, [&](const FollowedAngle& angle) {
+      return angle.one == one.link && angle.other == other.link && angle.rest == rest;
+    });
+    if (!one.is_line && !other.is_line && !is_driven && !is_known) {
+      angles_.push_back({one.link, other.link, rest});
     }
   };
   for (const Spring& spring : mechanism.loading().springs) {
     if (spring.at_joint) {
-      add(spring.between[0], spring.between[1]);
+      add(spring.between[0], spring.between[1], spring.rest);
     }
   }
   for (const Load& load : mechanism.loading().loads) {
@@ -41,45 +32,25 @@ std::vector<LinkPair> links_read(const Mechanism& mechanism) {
         continue;
       }
       for (const JointIndex joint : mechanism.numbers()[number].formula.joints()) {
-        add(mechanism.joints()[joint].between[0], mechanism.joints()[joint].between[1]);
+        const std::vector<FeatureIndex>& between = mechanism.joints()[joint].between;
+        add(between[0], between[1], NumberIndex());
       }
     }
   }
-  return links;
 }
 
-}  // namespace
-
-std::function<void(const SweepRecord&)> with_followed_angles(
-    const Mechanism& mechanism, std::function<void(const SweepRecord&)> record) {
-  std::vector<LinkPair> links = links_read(mechanism);
-  if (links.empty()) {
-    return record;
+const Configuration& FollowedAngles::on(int branch, const Configuration& state,
+                                        const Values& values) {
+  std::vector<FollowedAngle>& angles = on_branches_.try_emplace(branch, angles_).first->second;
+  for (FollowedAngle& followed : angles) {
+    const double angle = angle_of(turned(state.links[followed.other].pose.direction,
+                                         reversed(state.links[followed.one].pose.direction)));
+    const double rest = followed.rest.exists() ? values.value_of(followed.rest) : 0;
+    followed.angle = support::continued_angle(angle - rest, followed.angle);
   }
-  std::map<int, std::vector<FollowedAngle>> on_branches;
-  return [links = std::move(links), record = std::move(record),
-          on_branches](const SweepRecord& at) mutable {
-    if (at.branch == 0) {
-      record(at);
-      return;
-    }
-    const auto [known, begins] = on_branches.try_emplace(at.branch);
-    Configuration state = *at.state;
-    for (std::size_t place = 0; place < links.size(); ++place) {
-      const auto& [one, other] = links[place];
-      const double angle = angle_of(
-          turned(state.links[other].pose.direction, reversed(state.links[one].pose.direction)));
-      if (begins) {
-        known->second.push_back({one, other, angle, angle});
-      }
-      double& last = known->second[place].angle;
-      last += std::remainder(angle - last, 2 * std::numbers::pi);
-    }
-    state.followed = known->second;
-    SweepRecord followed = at;
-    followed.state = &state;
-    record(followed);
-  };
+  followed_ = state;
+  followed_.followed = angles;
+  return followed_;
 }
 
 }  // namespace assur::mechanism::follow

@@ -13,6 +13,7 @@
 #include "circuit_finder.hpp"
 #include "event_text.hpp"
 #include "followable_set.hpp"
+#include "followed_angles.hpp"
 #include "shown_branches.hpp"
 #include "solve/closure_error.hpp"
 #include "sweep_range.hpp"
@@ -39,6 +40,7 @@ class Sweeper {
       : observer_(observer),
         solver_(plan, values),
         tracker_(solver_),
+        followed_(plan.mechanism()),
         told_(!plan.redundant().empty()) {
     if (observer.circuits) {
       circuits_.emplace(solver_);
@@ -341,14 +343,19 @@ class Sweeper {
   }
 
   void report_row(int step, const Snapshot& set, const StepRow& row) {
-    if (!is_told(*row.state)) {
+    // Beyond the limits of joints angles go on, too.
+    const bool is_followed = followed_.is_needed() && row.branch > 0;
+    const Configuration& state =
+        is_followed ? followed_.on(row.branch, *row.state, solver_.values_at(set.parameter))
+                    : *row.state;
+    if (!is_told(state)) {
       return;
     }
     const auto first = set.solution.configurations.begin();
     const auto within =
         std::count_if(first, first + static_cast<std::ptrdiff_t>(row.point.place()) + 1, is_told);
     observer_.record({step, static_cast<int>(within), told_.shown(row.branch), "", set.parameter,
-                      &set.spread, row.state});
+                      &set.spread, &state});
   }
 
   /// Takes the tracker's events. Events at a step up to rounding are moved to the step, and those
@@ -475,6 +482,7 @@ class Sweeper {
   const SweepObserver& observer_;
   SnapshotSolver solver_;
   BranchTracker tracker_;
+  FollowedAngles followed_;
   double way_of_size_ = 0;          ///< at the last set with configurations
   std::vector<BranchEvent> later_;  ///< not yet reported
   std::set<int> outside_;           ///< numbers of branches that are not within the sweep

@@ -2,9 +2,6 @@
 
 #include <assur/mechanism/mechanism.hpp>
 #include <cmath>
-#include <utility>
-
-#include "followed_angles.hpp"
 
 namespace assur::mechanism::follow {
 
@@ -17,9 +14,9 @@ SweepObserver expect_sweep(const Plan& plan, const Values& values, SweepObserver
   if (!std::isfinite(values.value_of(range.to) - values.value_of(range.from))) {
     throw MechanismError("sweep", "the range from 'from' to 'to' is not finite");
   }
-  observer.record = observer.record
-                        ? with_followed_angles(plan.mechanism(), std::move(observer.record))
-                        : [](const SweepRecord&) {};
+  if (!observer.record) {
+    observer.record = [](const SweepRecord&) {};
+  }
   if (!observer.solved) {
     observer.solved = [](double, const Solution&) {};
   }

@@ -20,8 +20,7 @@ namespace assur::mechanism::follow {
 }
 
 /// Throws MechanismError for a request without a sweep, and for one that cannot be run. Returns the
-/// observer with missing functions replaced by functions without effect, and with the angles that
-/// loads and springs read.
+/// observer with missing functions replaced by functions without effect.
 [[nodiscard]] SweepObserver expect_sweep(const Plan& plan, const Values& values,
                                          SweepObserver observer);
 

@@ -12,9 +12,6 @@ LinearEquations::LinearEquations(const Eigen::MatrixXd& matrix, double threshold
   if (factors_.rank() < matrix.cols()) {
     Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeFullV);
     null_space_ = svd.matrixV().rightCols(matrix.cols() - factors_.rank());
-    constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-    const auto& sizes = svd.singularValues();
-    response_ = factors_.rank() > 0 ? rounding * sizes(0) / sizes(factors_.rank() - 1) : rounding;
   }
 }
 
@@ -22,12 +19,12 @@ bool LinearEquations::has_movable(Eigen::Index row) const {
   const bool are_rows = of_links_ == OfLinks::rows;
   const Eigen::Index first = are_rows ? row - row % 3 : row;
   const auto equations = matrix_.middleRows(first, are_rows ? 3 : 1).cwiseAbs();
-  const LinearSolution of_matrix{{}, null_space_, negligible};
+  const LinearSolution of_matrix{{}, null_space_};
   for (Eigen::Index column = 0; column < matrix_.cols(); ++column) {
     const Eigen::Index begin = are_rows ? column : column - column % 3;
     const Eigen::Index count = are_rows ? 1 : 3;
     if (!of_matrix.determines(column) &&
-        equations.middleCols(begin, count).maxCoeff() > negligible) {
+        equations.middleCols(begin, count).maxCoeff() > LinearSolution::response) {
       return true;
     }
   }
@@ -45,7 +42,7 @@ LinearEquations::Equations LinearEquations::equations_of_movable() const {
 bool LinearEquations::have_solution_for_all(const Equations& unknown) const {
   for (Eigen::Index row = 0; row < matrix_.rows(); ++row) {
     const Eigen::VectorXd unit = Eigen::VectorXd::Unit(matrix_.rows(), row);
-    if (unknown(row) && (matrix_ * factors_.solve(unit) - unit).norm() > negligible) {
+    if (unknown(row) && (matrix_ * factors_.solve(unit) - unit).norm() > LinearSolution::response) {
       return false;
     }
   }
@@ -66,18 +63,24 @@ LinearSolution LinearEquations::solution_without(const Equations& left_out,
 }
 
 LinearSolution LinearEquations::solution(const Eigen::VectorXd& rhs) const {
-  if (!rhs.allFinite()) {
-    Equations left_out = !rhs.array().isFinite();
-    if (!have_solution_for_all(left_out)) {
-      left_out = left_out || equations_of_movable();
-    }
-    return solution_without(left_out, rhs);
+  const Equations unknown = !rhs.array().isFinite();
+  if (unknown.any() && of_links_ == OfLinks::columns) {  // the other equations may determine all
+    return solution_without(unknown, rhs);
   }
-  LinearSolution result{factors_.solve(rhs), null_space_, response_};
-  if (null_space_.cols() > 0 &&
-      (matrix_ * result.shortest - rhs).norm() > negligible * rhs.norm()) {
+  const Eigen::VectorXd known = unknown.select(0, rhs);
+  LinearSolution result{factors_.solve(known), null_space_};
+  const bool is_solved =
+      (matrix_ * result.shortest - known).norm() <= LinearSolution::response * known.norm() &&
+      have_solution_for_all(unknown);
+  if (null_space_.cols() > 0 && !is_solved) {
     if (const Equations left_out = equations_of_movable(); left_out.any()) {
       return solution_without(left_out, rhs);
+    }
+  }
+  for (Eigen::Index row = 0; row < rhs.size(); ++row) {
+    if (unknown(row)) {
+      result.null_space.conservativeResize(Eigen::NoChange, result.null_space.cols() + 1);
+      result.null_space.rightCols(1) = factors_.solve(Eigen::VectorXd::Unit(matrix_.rows(), row));
     }
   }
   return result;

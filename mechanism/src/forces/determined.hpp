@@ -5,25 +5,25 @@
 
 namespace assur::mechanism::forces {
 
-/// The shortest solution of linear equations and, if the matrix lacks rank, an orthonormal basis of
-/// its null space, as columns. A sum of unknowns is determined if no vector of the null space
-/// changes it.
+/// The shortest solution of linear equations, and as columns what may be added to it: an
+/// orthonormal basis of the matrix's null space, and the solutions for a unit of each unknown
+/// right-hand side. A sum of unknowns is determined if none of them changes it.
 struct LinearSolution {
   Eigen::VectorXd shortest;
   Eigen::MatrixXd null_space;
-  /// The least part of a unit vector of the null space that counts as nonzero: the space is known
-  /// to within rounding divided by the least singular value that is not null.
-  double response = 0;
+
+  /// The least change that counts as nonzero. The space is known to within rounding divided by the
+  /// threshold of rank, 1e-9.
+  static constexpr double response = 1e-7;
 
   [[nodiscard]] bool determines(Eigen::Index unknown) const {
     return !(null_space.row(unknown).norm() > response);
   }
 };
 
-/// M x = b. Unknowns that are not determined grow without bound for matrices near M. Equations with
-/// an infinite or unknown b are left out. If no x satisfies the equations, or none does for some
-/// values of unknown b, those of such unknowns are left out, too: their results depend on the
-/// matrices near M.
+/// M x = b. Unknowns that are not determined grow without bound for matrices near M. If no x
+/// satisfies the equations, or none does for some values of infinite or unknown b, those of such
+/// unknowns are left out: their results depend on the matrices near M.
 class LinearEquations {
  public:
   /// The rows or columns that belong in threes to links; nearby matrices may have nonzero entries
@@ -34,10 +34,6 @@ class LinearEquations {
   LinearEquations(const Eigen::MatrixXd& matrix, double threshold, OfLinks of_links);
 
   [[nodiscard]] LinearSolution solution(const Eigen::VectorXd& rhs) const;
-  /// What is left of equations, and changes of unknowns, that count as zero where directions are
-  /// shortened to the threshold of rank, 1e-9: rounding divided by it.
-  static constexpr double negligible = 1e-7;
-
   /// The solution for each column of b; NaN where an unknown is not determined.
   [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& rhs) const;
   /// One solution, including unknowns that are not determined, if the equations have one for every
@@ -62,7 +58,6 @@ class LinearEquations {
   OfLinks of_links_;
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors_;
   Eigen::MatrixXd null_space_;
-  double response_ = 0;  ///< see `LinearSolution`
 };
 
 }  // namespace assur::mechanism::forces

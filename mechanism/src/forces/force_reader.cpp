@@ -108,8 +108,8 @@ void ForceReader::forget(const LinearSolution& unknowns, const Directions& direc
       }
     }
   }
-  const auto is_known = [&unknowns](double square) {
-    return !(square > unknowns.response * unknowns.response);
+  const auto is_known = [](double square) {
+    return !(square > LinearSolution::response * LinearSolution::response);
   };
   for (const DriverIndex driver : mechanism_.drivers().keys()) {
     if (!is_known(squares.efforts[driver])) {

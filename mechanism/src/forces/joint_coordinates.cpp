@@ -39,20 +39,21 @@ double JointCoordinates::value(JointIndex joint) const {
     return counted->angle;
   }
   const CoordinatePair pair = pair_of(joint);
-  if (const FollowedAngle* const angle = followed(pair)) {
-    return angle->angle;
+  if (const std::optional<double> angle = followed(pair, {})) {
+    return *angle;
   }
   const Pose<double> pose = relative(pair).pose;
   return pair.coordinate == 2 ? angle_of(pose.direction) : pose.x;
 }
 
-const FollowedAngle* JointCoordinates::followed(const CoordinatePair& pair) const {
+std::optional<double> JointCoordinates::followed(const CoordinatePair& pair,
+                                                 NumberIndex rest) const {
   const auto& features = values_.plan().mechanism.features();
   const auto found = std::ranges::find_if(configuration_.followed, [&](const FollowedAngle& angle) {
     return pair.coordinate == 2 && angle.one == features[pair.first].link &&
-           angle.other == features[pair.second].link;
+           angle.other == features[pair.second].link && angle.rest == rest;
   });
-  return found == configuration_.followed.end() ? nullptr : &*found;
+  return found == configuration_.followed.end() ? std::nullopt : std::optional(found->angle);
 }
 
 double JointCoordinates::number(NumberIndex number) const {

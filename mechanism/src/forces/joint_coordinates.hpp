@@ -3,6 +3,7 @@
 
 #include <assur/mechanism/solution.hpp>
 #include <assur/mechanism/values.hpp>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,8 +29,9 @@ class JointCoordinates {
   [[nodiscard]] Frame relative(const CoordinatePair& pair) const;
   /// The coordinate, including whole turns given by a law or a branch.
   [[nodiscard]] double value(JointIndex joint) const;
-  /// The angle of a pair's links along the branch of a sweep; null if none is followed.
-  [[nodiscard]] const FollowedAngle* followed(const CoordinatePair& pair) const;
+  /// The angle of a pair's links along the branch of a sweep, less a spring's rest angle, if there
+  /// is one; nothing if it is not followed.
+  [[nodiscard]] std::optional<double> followed(const CoordinatePair& pair, NumberIndex rest) const;
   /// A number whose formula may read joints.
   [[nodiscard]] double number(NumberIndex number) const;
   /// The law of a driver, with derivatives with respect to the coordinates in `joints_of`.

@@ -1,8 +1,9 @@
 #include "link_loads.hpp"
 
 #include <assur/directions.hpp>
+#include <assur/support/rigid_motion.hpp>
 #include <cmath>
-#include <numbers>
+#include <optional>
 
 #include "plan/plan_data.hpp"
 
@@ -155,19 +156,8 @@ class LoadCollector {
         return links_.coordinate(index) - links_.number(spring.rest);
       }
     }
-    if (const FollowedAngle* const angle = links_.coordinates().followed(pair)) {
-      const double begins = within_half_a_turn(angle->begins - links_.number(spring.rest).value());
-      return away.valued(begins + (angle->angle - angle->begins));
-    }
-    return away.valued(within_half_a_turn(away.value()));
-  }
-
-  /// At half a turn rounding would decide the sense; it counts as positive.
-  [[nodiscard]] static double within_half_a_turn(double angle) {
-    constexpr double rounding_of_angles = 1e-9;
-    const double turn = 2 * std::numbers::pi;
-    const double within = std::remainder(angle, turn);
-    return within < rounding_of_angles - turn / 2 ? within + turn : within;
+    const std::optional<double> followed = links_.coordinates().followed(pair, spring.rest);
+    return away.valued(followed ? *followed : support::within_half_turn(away.value()));
   }
 
   const Mechanism& mechanism_;

@@ -65,7 +65,7 @@ class Following {
       displace();
       gap = gaps(links);
     }
-    if (largest(gap.col(0)) > LinearEquations::negligible * largest(before.col(0))) {
+    if (largest(gap.col(0)) > LinearSolution::response * largest(before.col(0))) {
       const MovingNumber unknown({0, none, none}, {none, none, none});
       for (const LinkIndex link : displaced.keys()) {
         links.displace(link, {unknown, unknown}, unknown);

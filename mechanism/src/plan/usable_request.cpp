@@ -9,10 +9,8 @@ namespace assur::mechanism::plan {
 
 namespace {
 
-/// Throws MechanismError if a reported part does not exist, is listed twice, or is a joint that
-/// does not slide and of which neither forces nor coefficients are wanted.
-void expect_reported(const Mechanism& mechanism, const Request& request) {
-  const Reported& reported = request.reported;
+/// Throws MechanismError if a reported part does not exist or is listed twice.
+void expect_reported(const Mechanism& mechanism, const Reported& reported) {
   const auto expect = [](const auto& list, const auto& parts, const std::string& part) {
     if (!list) {
       return;
@@ -28,18 +26,6 @@ void expect_reported(const Mechanism& mechanism, const Request& request) {
   };
   expect(reported.links, mechanism.links(), "report.links");
   expect(reported.joints, mechanism.joints(), "report.joints");
-  if (!reported.joints || request.want.forces || request.want.coefficients) {
-    return;
-  }
-  for (const JointIndex joint : *reported.joints) {
-    const Joint& at = mechanism.joints()[joint];
-    if (at.type == JointType::revolute) {
-      throw MechanismError("report.joints", "the joint " + text::in_quotes(at.name) +
-                                                " is revolute and has no displacement; report " +
-                                                "prismatic joints, pins in slots, or links, or " +
-                                                "want forces");
-    }
-  }
 }
 
 /// The largest number of parameters: in any plan, with derivatives, and with second derivatives.
@@ -77,7 +63,7 @@ void expect_usable(const Mechanism& mechanism, const Request& request) {
       throw MechanismError(part, "the mechanism has no number of this index");
     }
   };
-  expect_reported(mechanism, request);
+  expect_reported(mechanism, request.reported);
   for (const ReferenceAngle& angle : request.reference) {
     if (!angle.link.exists() || angle.link.place() >= mechanism.links().size()) {
       throw MechanismError("reference", "the mechanism has no such link");

@@ -164,6 +164,9 @@ TEST(EmitSpecialForces, OfRedundantConstraintsAreThoseOfSolve) {
     scenes.push_back({"cranks_" + std::to_string(scenes.size()), cranks(phi)});
     scenes.push_back({"guides_" + std::to_string(scenes.size()), guides(phi)});
   }
+  Json rounded = cranks(0.5);  // within the slack of redundant constraints
+  rounded["links"]["three"]["F"] = {3 + 2e-12, 0};
+  scenes.push_back({"rounded", rounded});
   EXPECT_GT(compare(scenes).unknown, 0);
 }
 

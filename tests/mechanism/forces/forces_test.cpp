@@ -791,6 +791,48 @@ TEST(Forces, ThatRedundantJointsShareAreNotTold) {
   }
 }
 
+/// The effort of three cranks whose lengths hold to 12 to 14 digits, and of cranks far from the
+/// origin, whose places are rounded as much.
+TEST(Forces, ThatRedundantJointsDoNotShareAreToldWhereLengthsAreRounded) {
+  for (const double digits : {1e-14, 1e-13, 1e-12}) {
+    for (const double away : {0.0, 1e5}) {
+      const auto rounded = [&](double number) { return std::round(number / digits) * digits; };
+      Json scene = Json::parse(R"({
+        "joints": {"A": {"type": "revolute", "between": ["ground.A", "one.A"]},
+          "B": {"type": "revolute", "between": ["ground.B", "two.B"]},
+          "C": {"type": "revolute", "between": ["ground.C", "three.C"]},
+          "D": {"type": "revolute", "between": ["one.D", "beam.D"]},
+          "E": {"type": "revolute", "between": ["two.E", "beam.E"]},
+          "F": {"type": "revolute", "between": ["three.F", "beam.F"]}},
+        "drivers": {"A": {"position": 0.7}}, "masses": {"beam": {"mass": 2, "at": [1, 0]}},
+        "gravity": [0, -9.81], "want": ["position", "forces"]})");
+      const double length = std::sqrt(2.3);
+      const double aside = std::sqrt(0.7);
+      const auto place = [&](double x, double y) { return Json({rounded(x), rounded(y)}); };
+      scene["links"]["ground"] = {{"A", place(away, away)},
+                                  {"B", place(away + 2 * aside, away)},
+                                  {"C", place(away + aside, away + aside)}};
+      scene["links"]["beam"] = {
+          {"D", {0, 0}}, {"E", place(2 * aside, 0)}, {"F", place(aside, aside)}};
+      for (const auto& [link, ends] :
+           {std::pair("one", "AD"), std::pair("two", "BE"), std::pair("three", "CF")}) {
+        scene["links"][link] = {{std::string(1, ends[0]), {0, 0}},
+                                {std::string(1, ends[1]), place(length, 0)}};
+      }
+      if (away > 0) {
+        scene["redundancy"] = {{"tolerance", 1e-6}};  // places far away are rounded by more
+      }
+      const Solved found = solved(scene);
+      ASSERT_FALSE(found.configurations().empty()) << digits << " " << away;
+      for (const Configuration& configuration : found.configurations()) {
+        const mechanism::Forces forces = mechanism::forces_of(found.values, configuration);
+        EXPECT_NEAR(forces.efforts[mechanism::DriverIndex(0)], 2 * 9.81 * length * std::cos(0.7),
+                    1e-4);
+      }
+    }
+  }
+}
+
 /// A rocker that is doubled on the same two pins shares the force of the beam with its twin; the
 /// forces on the beam and on the ground, and the derivatives of these, are those of one rocker with
 /// the weight of both.
@@ -906,6 +948,52 @@ TEST(Forces, OfASpringCountItsTurnsAlongABranch) {
     for (std::size_t row = 1; row < efforts.size(); ++row) {
       EXPECT_LT(std::abs(efforts[row] - efforts[row - 1]), 2);  // a turn lost would make it 31
     }
+  }
+}
+
+/// The turns also count where the spring's rest angle follows the swept parameter, and beyond the
+/// limits of joints, where there are no rows.
+TEST(Forces, OfASpringCountTurnsThatNoRowShows) {
+  Json scene = turning_spring();
+  scene["springs"]["S"]["rest"] = "phi";
+  for (const std::size_t branch : {1U, 2U}) {
+    const std::vector<double> efforts = efforts_along(scene, branch);
+    for (std::size_t row = 1; row < efforts.size(); ++row) {
+      EXPECT_LT(std::abs(efforts[row] - efforts[row - 1]), 2);
+    }
+  }
+  struct Row {
+    double parameter, angle, effort;
+  };
+  const auto rows_of = [](const Json& json) {
+    const mechanism::Plan plan(mechanism::parse_scene(json.dump(), "scene.json"));
+    mechanism::Values values = plan.values();
+    std::vector<Row> rows;
+    (void)mechanism::sweep(
+        plan, {[&](const mechanism::SweepRecord& record) {
+                 if (record.event.empty()) {
+                   values.set(plan.request().sweep->parameter, record.parameter);
+                   rows.push_back(
+                       {record.parameter, angle_of(record.state->link("rocker").pose.direction),
+                        mechanism::forces_of(values, *record.state).efforts.items().front()});
+                 }
+               },
+               nullptr, nullptr});
+    return rows;
+  };
+  scene = turning_spring();
+  scene["sweep"]["count"] = 145;
+  const std::vector<Row> all = rows_of(scene);
+  scene["joints"]["D"]["limits"] = {-3, 0};
+  const std::vector<Row> some = rows_of(scene);
+  EXPECT_EQ(all.size(), 290U);
+  EXPECT_GT(some.size(), 100U);
+  EXPECT_LT(some.size(), 200U);
+  for (const Row& row : some) {
+    EXPECT_TRUE(std::ranges::any_of(all, [&](const Row& other) {
+      return other.parameter == row.parameter && std::abs(other.angle - row.angle) < 1e-9 &&
+             std::abs(other.effort - row.effort) < 1e-9;
+    })) << row.parameter;
   }
 }
 

@@ -37,11 +37,13 @@ struct CountedAngle {
   double angle;
 };
 
-/// The angle of one link relative to another, continued from the beginning of a branch, where it
-/// was in (-pi, pi]. Loads and springs in sweeps read it.
+/// The angle of one link relative to another, less the rest angle of a spring, which does not exist
+/// for an angle that a load reads. Where a branch begins it is in (-pi, pi]; from there on it goes
+/// on with its turns.
 struct FollowedAngle {
   LinkIndex one, other;
-  double begins, angle;
+  NumberIndex rest;
+  double angle = 0;
 };
 
 /// One assembly configuration of the whole mechanism.

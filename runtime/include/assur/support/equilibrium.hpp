@@ -83,29 +83,19 @@ class Equilibrium {
   }
   void load(int link, const LinkLoad<Scalar>& on) { loads_[static_cast<std::size_t>(link)] = on; }
 
-  /// Finds the unknowns, up to the null directions of A. Directions that A moves by less than
-  /// `tolerance`, a length, count as null.
+  /// Finds the unknowns, up to the null directions of A and to what unknown loads change.
+  /// Directions that A moves by less than `tolerance`, a length, count as null.
   ///
-  /// The equations of links with unknown loads are left out. If the loads cannot be balanced, or
-  /// could not for some values of the unknown ones, forces along the null directions of A grow
-  /// without bound near this configuration and depend on the path to it: then the equations of the
-  /// links on which these forces act are left out, too.
+  /// If the loads cannot be balanced, or could not for some values of the unknown ones, forces
+  /// along the null directions of A grow without bound near this configuration and depend on the
+  /// path to it: then the equations of the links on which these forces act are left out.
   void solve(const Scalar& tolerance) {
     find_size();
-    for (int row = 0; row < rows; ++row) {
-      if (!is_known(row) &&
-          !is_balanced([row](int at) { return Scalar(at == row ? 1 : 0); }, tolerance)) {
-        (void)leave_out_movable();
-        break;
-      }
-    }
-    for (int row = 0; row < rows; ++row) {
-      is_left_out_[static_cast<std::size_t>(row)] =
-          is_left_out_[static_cast<std::size_t>(row)] || !is_known(row);
-    }
-    while (!is_balanced([this](int row) { return load_of(row); }, tolerance) &&
+    const auto known = [this](int row) { return is_known(row) ? load_of(row) : Scalar(0); };
+    while (!(is_balanced(known, tolerance) && are_unknown_balanced(tolerance)) &&
            leave_out_movable()) {
     }
+    (void)is_balanced(known, tolerance);
   }
 
   /// The effort of a driver, by its unknown. Efforts, couples and forces are sums of unknowns; NaN
@@ -208,13 +198,8 @@ class Equilibrium {
     const Scalar largest = largest_load();
     const Scalar first = local::eliminate_largest(table_, columns, Scalar(0), pivots_);
     const Scalar bound = first * (std::max)(least, tolerance / size_);
-    Scalar last = first;
-    for (Scalar pivot = first; pivot > 0;) {
-      last = pivot;
-      pivot = local::eliminate_largest(table_, columns, bound, pivots_);
+    while (local::eliminate_largest(table_, columns, bound, pivots_) > 0) {
     }
-    constexpr Scalar rounding = 64 * std::numeric_limits<Scalar>::epsilon();
-    response_ = first > 0 ? rounding * first / last : rounding;
     return leaves_at_most(negligible * largest);
   }
   /// Leaves out the links on which undetermined unknowns act. Returns whether there are more of
@@ -286,10 +271,9 @@ class Equilibrium {
     const int row = pivots_.row_of(unknown);
     return row >= 0 ? -table_(row, free) : Scalar(unknown == free ? 1 : 0);
   }
-  /// Whether a null direction of A, of length one, changes a sum of unknowns, a function of their
-  /// sizes, by more than this.
+  /// Whether a null direction of A changes a sum of unknowns, a function of their sizes.
   template <typename Sum>
-  [[nodiscard]] bool is_movable(const Sum& sum, const Scalar& response) const {
+  [[nodiscard]] bool is_movable(const Sum& sum) const {
     for (int free = 0; free < columns; ++free) {
       if (pivots_.row_of(free) >= 0) {
         continue;
@@ -300,27 +284,50 @@ class Equilibrium {
         square += component(unknown) * component(unknown);
       }
       const Vector<Scalar, 2> change = sum(component);
-      if (change(0) * change(0) + change(1) * change(1) > response * response * square) {
+      if (change(0) * change(0) + change(1) * change(1) > negligible * negligible * square) {
         return true;
       }
     }
     return false;
   }
   [[nodiscard]] bool is_movable(int unknown) const {
-    return is_movable(
-        [&](const auto& size_of) {
-          return Vector<Scalar, 2>{size_of(unknown), Scalar(0)};
-        },
-        negligible);
+    return is_movable([&](const auto& size_of) {
+      return Vector<Scalar, 2>{size_of(unknown), Scalar(0)};
+    });
+  }
+  [[nodiscard]] Scalar found(int unknown) const {
+    const int row = pivots_.row_of(unknown);
+    return row >= 0 ? -table_(row, columns) : Scalar(0);
+  }
+  /// Whether unknown loads can be balanced whatever they are. Notes the unknowns that depend on
+  /// them.
+  [[nodiscard]] bool are_unknown_balanced(const Scalar& tolerance) {
+    depends_.fill(false);
+    for (int unknown_load = 0; unknown_load < rows; ++unknown_load) {
+      if (is_known(unknown_load) || is_left_out_[static_cast<std::size_t>(unknown_load)]) {
+        continue;
+      }
+      if (!is_balanced([&](int row) { return Scalar(row == unknown_load ? 1 : 0); }, tolerance)) {
+        return false;
+      }
+      for (int unknown = 0; unknown < columns; ++unknown) {
+        bool& depends = depends_[static_cast<std::size_t>(unknown)];
+        depends = depends || std::abs(found(unknown)) > negligible;
+      }
+    }
+    return true;
   }
   /// A sum of unknowns; NaN if it is not determined.
   template <typename Sum>
   [[nodiscard]] Vector<Scalar, 2> told(const Sum& sum) const {
     constexpr Scalar none = std::numeric_limits<Scalar>::quiet_NaN();
-    return is_movable(sum, response_) ? Vector<Scalar, 2>{none, none} : sum([&](int unknown) {
-      const int row = pivots_.row_of(unknown);
-      return row >= 0 ? -table_(row, columns) : Scalar(0);
+    bool depends = is_movable(sum);
+    (void)sum([&](int unknown) {
+      depends = depends || depends_[static_cast<std::size_t>(unknown)];
+      return Scalar(0);
     });
+    return depends ? Vector<Scalar, 2>{none, none}
+                   : sum([&](int unknown) { return found(unknown); });
   }
 
   std::array<Reaction, static_cast<std::size_t>(columns)> units_;
@@ -332,9 +339,7 @@ class Equilibrium {
   local::Memory<Scalar, rows*(columns + 1)> memory_;
   local::Table<Scalar> table_{memory_, rows, columns + 1};  ///< A and w, eliminated by `solve`
   local::Pivots<rows, columns> pivots_;
-  /// The rounding error of null directions: rounding divided by the least pivot, in parts of the
-  /// first.
-  Scalar response_ = 0;
+  std::array<bool, static_cast<std::size_t>(columns)> depends_{};  ///< on unknown loads
   Scalar size_ = 1;
   int unknowns_ = 0, passed_count_ = 0, pulls_ = 0;
 };

@@ -142,22 +142,7 @@ template <typename Scalar>
   return isfinite(pull(0)) && isfinite(pull(1)) ? pull : Vector<Scalar, 2>{Scalar(0), Scalar(0)};
 }
 
-/// An angle within half a turn. Half a turn itself, whose sign rounding would choose, counts as
-/// positive.
-template <typename Scalar>
-[[nodiscard]] Scalar within_half_turn(const Scalar& angle) {
-  constexpr auto turn = static_cast<Scalar>(6.28318530717958647692);
-  constexpr Scalar negligible =
-      (std::max)(static_cast<Scalar>(1e-9), 16 * std::numeric_limits<Scalar>::epsilon());
-  const Scalar within = std::remainder(angle, turn);
-  return within < negligible - turn / 2 ? within + turn : within;
-}
-
-/// An angle continued from its last value by at most half a turn.
-template <typename Scalar>
-[[nodiscard]] Scalar continued_angle(const Scalar& angle, const Scalar& last) {
-  return last + within_half_turn(Scalar(angle - last));
-}
+/// A coordinate whose angle is continued from its last value.
 template <typename Scalar, int Order, int Parameters>
 [[nodiscard]] Coordinate<Scalar, Order, Parameters> continued(
     Coordinate<Scalar, Order, Parameters> angle, const Scalar& last) {

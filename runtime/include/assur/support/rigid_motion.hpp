@@ -1,7 +1,11 @@
-// Derivatives of a point carried by a moving frame, to second order.
+// Derivatives of a point carried by a moving frame, to second order, and angles that go on beyond
+// half a turn.
 #pragma once
 
+#include <algorithm>
 #include <assur/model.hpp>
+#include <cmath>
+#include <limits>
 
 namespace assur::support {
 
@@ -45,4 +49,20 @@ template <typename Scalar>
          theta_x * across(own_y) + theta_y * across(own_x) + own_xy;
 }
 
+/// An angle within half a turn. Half a turn itself, whose sign rounding would choose, counts as
+/// positive.
+template <typename Scalar>
+[[nodiscard]] Scalar within_half_turn(const Scalar& angle) {
+  constexpr auto turn = static_cast<Scalar>(6.28318530717958647692);
+  constexpr Scalar negligible =
+      (std::max)(static_cast<Scalar>(1e-9), 16 * std::numeric_limits<Scalar>::epsilon());
+  const Scalar within = std::remainder(angle, turn);
+  return within < negligible - turn / 2 ? within + turn : within;
+}
+
+/// An angle continued from its last value by at most half a turn.
+template <typename Scalar>
+[[nodiscard]] Scalar continued_angle(const Scalar& angle, const Scalar& last) {
+  return last + within_half_turn(Scalar(angle - last));
+}
 }  // namespace assur::support

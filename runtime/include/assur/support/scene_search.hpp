@@ -59,8 +59,9 @@ class Search {
     Own::drive(given, placed);
     proceed<0>(placed, {});
     const bool is_lost = is_unsure_ && solution_.count == 0;
-    if (Own::has_redundant && (solution_.families > 0 || is_lost) &&
-        solution_.status == AssemblyStatus::ok) {
+    const bool is_doubtful =
+        (Own::has_gaps && solution_.families > 0) || (Own::has_redundant && is_lost);
+    if (is_doubtful && solution_.status == AssemblyStatus::ok) {
       // It is unknown whether the redundant constraints let the families move, or where groups are
       // whose neighbours rounding has displaced far.
       solution_.status = AssemblyStatus::unresolved;
