@@ -32,31 +32,32 @@ std::string run_program(const std::string& name, const Json& scene, const std::s
 TEST(EmitForces, OfASpringCountItsTurnsAlongABranch) {
   const Json scene = turning_spring();
   const std::string printed =
-      run_program("turning", scene, R"cpp(#include <cstdio>
+      run_program("turning", scene,
+                  R"cpp(#include <cstdio>
 #include <assur/scenes/turning.cpp>
-                                          using S = assur::scenes::Turning;
-                                          int main() {
-                                            for (int k = 0; k < 2; ++k) {
-                                              S::Drivers<double> drivers;
-                                              S::Branch branch = S::branch(drivers, k);
-                                              S::State<double> state;
-                                              turning_drivers in_c;
-                                              turning_defaults(&in_c);
-                                              turning_branch branch_in_c;
-                                              turning_state state_in_c;
-                                              turning_way way;
-                                              (void)turning_begin(&in_c, k, &branch_in_c);
-                                              for (int row = 0; row <= 720; ++row) {
-                                                in_c.A.position = drivers.A.position =
-                                                    0.3 + 4 * 3.14159265358979323846 * row / 720;
-                                                if (!assur::is_solvable(S::track(drivers, branch, state).status) ||
-                                                    turning_track(&in_c, &branch_in_c, &state_in_c, &way) > turning_status_near_singular) {
-                                                  return 1;
-                                                }
-                                                std::printf("%.17g %.17g ", state.efforts.A, state_in_c.efforts.A);
-                                              }
-                                            }
-                                          }
+                        using S = assur::scenes::Turning;
+                        int main() {
+                          for (int k = 0; k < 2; ++k) {
+                            S::Drivers<double> drivers;
+                            S::Branch branch = S::branch(drivers, k);
+                            S::State<double> state;
+                            turning_drivers in_c;
+                            turning_defaults(&in_c);
+                            turning_branch branch_in_c;
+                            turning_state state_in_c;
+                            turning_way way;
+                            (void)turning_begin(&in_c, k, &branch_in_c);
+                            for (int row = 0; row <= 720; ++row) {
+                              in_c.A.position = drivers.A.position = 0.3 + 4 * 3.14159265358979323846 * row / 720;
+                              if (!assur::is_solvable(S::track(drivers, branch, state).status) ||
+                                  turning_track(&in_c, &branch_in_c, &state_in_c, &way) >
+                                      turning_status_near_singular) {
+                                return 1;
+                              }
+                              std::printf("%.17g %.17g ", state.efforts.A, state_in_c.efforts.A);
+                            }
+                          }
+                        }
                   )cpp",
                   "--interface c");
   std::istringstream numbers(printed);
